@@ -138,7 +138,6 @@ fn print((sections, limits): (Vec<Section>, Vec<Limit>)) -> Result<bool> {
         text += &limit::table(&limits).to_string();
     }
     match io::stdout().lock().write_all(text.as_bytes()) {
-        // Ignores a closed pipe.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => {}
         written => written.context("standard output cannot be written")?,
     }

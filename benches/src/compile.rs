@@ -1,9 +1,7 @@
-//! Measures the cost of compiling a block: the macro's own time, and the compiler's time beyond
-//! that of an empty crate.
+//! Measures the cost of compiling a block: the macro's time, and the compiler's additional time.
 //!
-//! Each block is built in a temporary library with one call of its step, so nothing is linked;
-//! dependencies are built before. The figure is the least of several builds, which alternate with
-//! builds of other blocks.
+//! Each block is built in a temporary library with one call of its step. The least time of several
+//! builds counts. Builds of different blocks alternate.
 
 use std::fs;
 use std::path::Path;
@@ -28,17 +26,15 @@ const CATALOG: [(&str, &str); 6] = [
 /// The figures of an earlier commit for comparison. The first lines name that commit.
 pub(crate) const BEFORE: &str = include_str!("../before.tsv");
 
-/// The time for one block in milliseconds. Builds are measured in processor time, on which other
-/// programs have the least effect.
+/// The time for one block, in milliseconds of processor time.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Cost {
     /// The name of the system, and whether the block has claims.
     pub(crate) block: String,
     pub(crate) expansion: f64,
-    /// The compiler time beyond that of an empty crate in an unoptimised build, including the
-    /// macro.
+    /// The additional compiler time in an unoptimised build, including the macro.
     pub(crate) debug: f64,
-    /// The compiler time beyond that of an empty crate in an optimised build.
+    /// The additional compiler time in an optimised build.
     pub(crate) release: f64,
 }
 
@@ -172,8 +168,7 @@ fn processor_time() -> f64 {
     })
 }
 
-/// Returns wall-clock time, since this system does not report the processor time of child
-/// processes.
+/// Returns wall-clock time, because this system reports no processor time of child processes.
 #[cfg(not(unix))]
 fn processor_time() -> f64 {
     use std::sync::LazyLock;

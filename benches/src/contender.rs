@@ -1,6 +1,5 @@
-//! A contender is a method that advances a state for a number of steps. The loop of dependent steps
-//! is compiled separately for each contender, so all loops are alike. Chains restart every
-//! [`SEGMENT`] steps, so that orbits stay in a range where arithmetic takes its usual time.
+//! Methods that advance a state for a number of steps. Chains restart every [`SEGMENT`] steps, so
+//! that orbits stay in an ordinary range.
 
 use std::hint::black_box;
 
@@ -13,7 +12,6 @@ pub(crate) enum Role {
     Baseline,
     /// Generated code that is called in another way.
     Generated,
-    /// Code that was carefully written for this system.
     ByHand,
     /// Another method that a user could choose.
     Rival,
@@ -41,8 +39,7 @@ impl Contender {
         Self { name, role, run: Box::new(run) }
     }
 
-    /// Makes a contender from the function `orbit`, which takes an initial state and a number of
-    /// steps.
+    /// Makes a contender from `orbit`, which takes an initial state and a number of steps.
     pub(crate) fn of_orbit<const N: usize>(
         name: &'static str,
         role: Role,

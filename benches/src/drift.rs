@@ -1,6 +1,4 @@
-//! Measures how rounding changes an integral over very long orbits. The figure is the relative
-//! change of Ĥ for E6 at ε = 2⁻¹⁰ after 10⁵ … 10⁹ steps, plain and compensated. Ĥ is evaluated in
-//! double-double at the orbit's ε.
+//! Measures how rounding changes an integral of E6 over very long orbits, plain and compensated.
 
 use kahan_core::prelude::*;
 

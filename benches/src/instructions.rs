@@ -1,6 +1,5 @@
-//! Counts instructions per step with valgrind's callgrind, which is free of timing noise. The
-//! program runs a contender twice with different numbers of steps. The difference counts only the
-//! loop.
+//! Counts instructions per step with valgrind's callgrind. The counts of two runs are subtracted,
+//! so only the loop counts.
 
 use std::env;
 use std::process::{Command, Stdio};

@@ -1,6 +1,4 @@
-//! Integrations over a fixed time, which compare integrators of different kinds. Each is a method
-//! that reaches the time [`SPAN`] from an initial state, with its tolerance, and its distance from
-//! the flow at the end.
+//! Integrations over a fixed time, which compare integrators of different kinds.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};

@@ -5,8 +5,7 @@ use std::path::Path;
 use std::process::Command;
 use std::thread::available_parallelism;
 
-/// Returns the name of the processor with its relevant vector instructions, and the number of
-/// cores.
+/// Returns the name of the processor, its vector instructions, and the number of cores.
 pub(crate) fn processor() -> String {
     let cores = available_parallelism().map_or_else(|_| "unknown".to_owned(), |cores| cores.to_string());
     format!("{}, {cores} cores to use", model())

@@ -1,5 +1,4 @@
-//! Benchmarks that compare generated steps with hand-written code and other integrators, and
-//! ensembles with the machine's bounds. The benchmarks also measure the cost of compiling.
+//! Benchmarks of generated steps, ensembles, other integrators, and compilation.
 
 mod by_hand;
 mod cli;

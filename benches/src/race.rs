@@ -1,5 +1,4 @@
-//! Times several runners in alternation. Returns the quartiles of their times, and of their ratios
-//! to the first runner within each round. Temporary slowdowns then affect both sides of a ratio.
+//! Times several runners in alternation, so that slowdowns affect both sides of a ratio.
 
 use std::time::{Duration, Instant};
 
@@ -30,7 +29,7 @@ pub(crate) struct Quartiles {
 }
 
 impl Quartiles {
-    /// Panics without values.
+    /// Returns the quartiles. Panics without values.
     pub(crate) fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         let at = |quarter: usize| values[(values.len() - 1) * quarter / 4];
@@ -40,7 +39,7 @@ impl Quartiles {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Standing {
-    /// The least nanoseconds per unit of work over all rounds, as on an undisturbed machine.
+    /// The least nanoseconds per unit of work over all rounds.
     pub(crate) nanoseconds: f64,
     pub(crate) ratio: Quartiles,
 }
@@ -51,9 +50,8 @@ pub(crate) fn seconds(run: impl FnOnce()) -> f64 {
     begun.elapsed().as_secs_f64()
 }
 
-/// Times `runners` alternately. The function `seconds(i, units)` runs `units` units of work of
-/// runner i and returns the seconds. The order rotates from round to round. Panics without a
-/// runner.
+/// Times `runners` alternately. `seconds(i, units)` runs `units` units of work of runner i, and
+/// returns the seconds. Panics without a runner.
 pub(crate) fn race(
     runners: usize,
     effort: Effort,
@@ -83,11 +81,8 @@ const PASSES: usize = 3;
 /// Returns the least nanoseconds per unit of work for several races. Race i has `runners[i]`
 /// runners.
 ///
-/// The races run one after the other, several times, because a disturbance by another program may
-/// last longer than one race. Disturbances delay code that keeps all parts of the processor busy
-/// more than dependent chains, so medians are unsuitable. The function `seconds(race, i, units)`
-/// runs `units` units of work of runner i. Fails with the first error of `seconds`; panics if a
-/// race has no runner.
+/// All races run several times, because a disturbance may last longer than one race. Fails with the
+/// first error of `seconds`; panics if a race has no runner.
 pub(crate) fn least_times<E>(
     runners: &[usize],
     effort: Effort,
@@ -116,7 +111,7 @@ pub(crate) fn least_times<E>(
 fn calibrate(sample: Duration, mut seconds: impl FnMut(usize) -> f64) -> usize {
     let mut units = 1;
     loop {
-        // Use the least of three trials, because an interrupted trial would give too few units.
+        // The least of three trials counts, because an interrupted trial gives too few units.
         let taken = (0..3).map(|_| seconds(units)).fold(f64::INFINITY, f64::min);
         if taken > 0.1 * sample.as_secs_f64() {
             return ((units as f64 * sample.as_secs_f64() / taken) as usize).max(1);

@@ -1,7 +1,5 @@
-//! Writes the measured parts of `docs/reference/speed.md`: the picture of a trade, and the tables
-//! of speed, tiers and extremes. Results of this checkout's command, and timings, replace the text
-//! between the markers `<!-- begin: NAME -->` and `<!-- end: NAME -->`. The other text is
-//! unchanged.
+//! Writes the measured parts of `docs/reference/speed.md`. Results replace the text between the
+//! markers `<!-- begin: NAME -->` and `<!-- end: NAME -->`.
 
 use std::path::Path;
 use std::process::Command;

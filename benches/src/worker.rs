@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// The package of the process that times ensembles. The program of the package has the same name.
+/// The package of the process that times ensembles, and the name of its program.
 pub(crate) const ENSEMBLES: &str = "kahan-bench-ensembles";
 pub(crate) const RUN_TIME: &str = "kahan-bench-run-time";
 pub(crate) const TIERS: &str = "kahan-bench-tiers";
@@ -26,8 +26,7 @@ pub(crate) struct Worker {
     tasks: Vec<Task>,
 }
 
-/// Builds a process and returns the path of its program. Native builds use a separate target
-/// folder.
+/// Builds a process, and returns the path of its program.
 pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
     let program = env::current_exe().context("the path of this program is unknown")?;
     // The path of the program ends in target/release/program.

@@ -1,8 +1,6 @@
-//! The work of `run.py` in Rust, timed on request.
+//! Does the work of `run.py` in Rust, and prints the seconds and z of the last point.
 //!
-//! In: a line, `each STEPS`, `last STEPS` or `ensemble TRAJECTORIES STEPS THREADS`. Out: a line
-//! with the seconds, without freeing memory, and z of the last point, so that Python can check the
-//! result.
+//! Reads `each STEPS`, `last STEPS` or `ensemble TRAJECTORIES STEPS THREADS`.
 
 use std::error::Error;
 use std::io::stdin;

@@ -9,7 +9,7 @@ import numpy as np
 import kahan
 from peers import is_here
 
-# So little time that states stay small.
+# Short steps keep the states small.
 EPS, SMALL, ROUNDS = 1e-6, 0.05, 15
 
 
@@ -112,7 +112,7 @@ def dense_fields(limit: Callable[..., None], skipped: Callable[[str, str], None]
             begun = time.perf_counter()
             dgesv(A, b, overwrite_a=True, overwrite_b=True)
             bare.append(ours / steps / (time.perf_counter() - begun))
-        # The first round makes the machine code.
+        # The first round compiles machine code, so its time is left out.
         limit(f"a step of a dense field of {n} variables / {name}", at_most, ratios[1:])
         if n == 40:
             limit("a step of a dense field of 40 variables / a bare `dgesv`", 1.0, bare[1:])

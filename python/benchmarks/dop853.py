@@ -8,7 +8,7 @@ import numpy as np
 
 Solve = Callable[[np.ndarray, float, float], np.ndarray]
 
-# The control of steps of both, as SciPy has it.
+# The step control of both programs, as in SciPy.
 CONTROL = """
         below = five + 0.01*three
         error = h*five/math.sqrt(below*n) if below > 0 else 0.0
@@ -53,7 +53,7 @@ def solve(start, end, tolerance):
 def tableau() -> dict[str, np.ndarray]:
     from scipy.integrate._ivp import dop853_coefficients as known
 
-    # The weights are the last row: the slope at the end is the first of the next step.
+    # The weights are the last row, because the slope at the end begins the next step.
     return {"A": np.vstack([known.A[:12, :12], known.B]), "E3": known.E3, "E5": known.E5}
 
 
@@ -85,7 +85,7 @@ def written_out(names: list[str], rates: list[str], helpers: list[str]) -> Solve
     step = []
     for s in range(1, 13):
         step += slopes(s, [f"y{i} + h*({combined(table['A'][s], i)})" for i in range(count)])
-    # The names of states hold the end of the step now.
+    # The names of states now hold the end of the step.
     step.append("five = three = 0.0")
     for i, name in enumerate(names):
         step += [f"scale = tolerance*(1 + max(abs(y{i}), abs({name})))", f"five += (({combined(table['E5'], i)})/scale)**2",

@@ -58,7 +58,7 @@ def by_qbee(python: str, name: str) -> dict[str, float] | str:
         done = subprocess.run([python, __file__, "qbee", name], capture_output=True, text=True, timeout=PATIENCE)
     except subprocess.TimeoutExpired:
         return f"none in {PATIENCE} s"
-    # QBee writes its progress before.
+    # QBee prints its progress before the answer.
     return json.loads("{" + done.stdout.rpartition("{")[2]) if done.returncode == 0 else "error"
 
 
@@ -88,7 +88,7 @@ def lifting(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> 
         known = [word for value in row[2].split() for word in ("--param", value)]
         default = [by_kahan(command, row, "--at", ",".join(row[3].split()), *known) for _ in range(ROUNDS)]
         theirs = by_qbee(python, row[0]) if python else "skipped"
-        # Once more, so that neither has a time of its own.
+        # Repeats the runs after QBee, so that both are timed under equal conditions.
         smallest += [by_kahan(command, row, "--lift=smallest") for _ in range(ROUNDS)]
         order, (own, slow) = smallest[0][1], (min(one[0] for one in runs) for runs in (smallest, default))
         if "extra" not in row[-1]:
@@ -116,7 +116,7 @@ def lifting(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> 
         "|---|---:|---:|---:|---:|---:|---:|---:|", *lines])
 
 
-# Names of the states, their rates by hand, the values that these share, the text, and a start.
+# The names of states, the rates by hand, their common subexpressions, the text, and a start.
 RACES: dict[str, tuple[str, list[str], list[str], str, list[float]]] = {
     "quartic oscillator": ("x p", ["p", "-x*x*x"], [], "x' = p; p' = -x^3", [1, 0]),
     "pendulum": ("x p", ["p", "-math.sin(x)"], [], "x' = p; p' = -sin(x)", [1, 0]),
@@ -145,7 +145,7 @@ def least(works: list[Callable[[], object]]) -> list[float]:
 
 def racing(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> str:
     """Order 8 beside DOP853 in Numba, each with the largest step or tolerance that reaches the error. Returns a table."""
-    # Not above, as the interpreter with QBee has none of them.
+    # These modules are missing in QBee's interpreter, so they are not imported at the top.
     import numpy as np
 
     import kahan

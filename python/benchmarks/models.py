@@ -36,7 +36,7 @@ def by_roadrunner(path: str, horizon: float) -> None:
     model = roadrunner.RoadRunner(text)
     import xml.etree.ElementTree as tree
 
-    # The symbol of a species means its amount where the model says so, and else its concentration.
+    # The symbol of a species means the amount or the concentration, as the model says.
     species = {one.get("id") or one.get("name"): one.get("hasOnlySubstanceUnits") == "true"
                for one in tree.fromstring(text).iter() if one.tag.endswith("}species")}
     ids = [*model.model.getFloatingSpeciesIds(), *model.model.getBoundarySpeciesIds()]
@@ -88,7 +88,7 @@ def refined(system: Any, horizon: float, start: int = POINTS) -> list[tuple[int,
             orbits.append((steps, orbit.x))
             if len(orbits) > 1:
                 change = apart(orbits[-2][1], orbit.x)
-                # Beyond that more steps add errors of rounding.
+                # Further steps would only add rounding errors.
                 if change < 1e-13 or (change > best and best < 1e-10):
                     break
                 best = min(best, change)
@@ -101,7 +101,7 @@ def compared(path: Path, python: str, horizon: float, error: float) -> dict[str,
 
     import kahan
 
-    # Of the processor, so that other work of the machine is in no figure.
+    # Processor time excludes other work of the machine.
     begun = time.process_time()
     try:
         system = kahan.read(path)
@@ -117,7 +117,7 @@ def compared(path: Path, python: str, horizon: float, error: float) -> dict[str,
     if not orbits:
         return {"refused": "no orbit is complete"}
     ours = orbits[-2 if len(orbits) > 2 else -1][1]
-    # Its most accurate solution is not that of the smallest tolerance always.
+    # The smallest tolerance does not always give the most accurate solution.
     nearest = min((points for _, points in peers), key=lambda points: apart(ours, points))
     row = {"states": len(system.variables), "new": system.lifted.order if system.lifted else 0, "read": seconds,
            "error": apart(ours, nearest), "points": nearest.tolist(), "names": list(system.variables)}

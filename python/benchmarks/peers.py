@@ -36,7 +36,7 @@ def lorenz_grid(limit: Callable[..., None]) -> None:
                               check=True, capture_output=True, text=True)
         whole = time.perf_counter() - begun
         mean, again = map(float, done.stdout.split())
-        # What the second run takes is in no time of the first; a smaller grid stands for the whole.
+        # A smaller grid may stand for the whole grid. The start and the compilation are added.
         cells = (SIDE / side) ** 2
         return mean, whole - 2 * again + cells * again, cells * again
 
@@ -60,7 +60,7 @@ def lorenz_grid(limit: Callable[..., None]) -> None:
               f"| {mean:.3f} |", flush=True)
 
 
-# The rates of x, y and z in words that all packages read, a first point, and how long it is followed.
+# The rates of x, y and z in a common notation, a first point, and the time.
 SCENES = {
     "Lotka and Volterra to t = 1000": (["x*(1.0 - y)", "y*(x - 1.0)"], [0.5, 1.25], 1000),
     "Lorenz to t = 10": (["10.0*(y - x)", "x*(28.0 - z) - y", "x*y - 8.0/3.0*z"], [1.0, 1.0, 20.0], 10),
@@ -128,7 +128,7 @@ def cheapest(settings: Iterator[Solve], wanted: np.ndarray, error: float) -> Sol
         try:
             if np.abs(solve() - wanted).max() <= error * np.abs(wanted).max():
                 return solve
-        except Exception as refused:  # A tolerance that a package does not take is none of its settings.
+        except Exception as refused:  # The package refuses this tolerance.
             print(f"refused: {refused}", file=sys.stderr)
     return None
 

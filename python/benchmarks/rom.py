@@ -37,7 +37,7 @@ def inferred(n: int) -> tuple[Any, np.ndarray]:
     waves = [sum(a * np.sin(k * x + b) / k for k, (a, b) in enumerate(draw.uniform(-1, 1, (3, 2)) * [1, np.pi], 1)) for _ in range(6)]
     snapshots = [solve_ivp(lambda _, u: burgers(u), (0, END), wave, t_eval=times, rtol=1e-8, atol=1e-10).y for wave in waves]
     basis = np.linalg.svd(np.hstack(snapshots), full_matrices=False)[0][:, :n]
-    # Rates at states of the basis, by which the inferred operators are those of the projected equation.
+    # Rates at states of the basis determine the operators of the projected equation.
     reduced = draw.normal(size=(3 * (n + n * (n + 1) // 2), n)) / np.sqrt(n)
     model = opinf.models.ContinuousModel("AH")
     model.fit(reduced.T, (burgers(reduced @ basis.T) @ basis).T)

@@ -32,7 +32,7 @@ START, EPS = [0.3, 0.8, 0.5], 0.005
 ROUNDS, TURNS = 9, 25
 THREADS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
-# Exceeded limits; the exit status is 1 where there are any.
+# Exceeded limits, which make the exit status 1.
 missed: list[str] = []
 
 
@@ -77,7 +77,7 @@ def against_rust(s: kahan.System) -> None:
             ratios.append((time.perf_counter() - begun) / theirs)
             assert found.x[-1, -1] == last, "Python and Rust compute the same"
             del found
-        # The first round makes the machine code.
+        # The first round compiles machine code, so its time is left out.
         limit(name, at_most, ratios[1:])
     beside.stdin.close()
     beside.wait()

@@ -153,7 +153,7 @@ def sparse_fields(limit: Callable[..., None], skipped: Callable[[str, str], None
             (theirs, x), (ours, found) = timed(peer), timed(lambda: s.orbit(start, eps, steps).x[-1])
             assert np.allclose(found, x, rtol=1e-9, atol=1e-12), "the two have the same end"
             ratios.append(ours / theirs)
-        # The first round makes the machine code.
+        # The first round compiles machine code, so its time is left out.
         limit(f"a step of a sparse field of {n} variables / a loop over rows in Numba", 0.33, ratios[1:])
 
     for side, at_most in [(30, 0.25), (60, 0.4), (100, 0.4)]:

@@ -100,7 +100,7 @@ def read(given: Any, of: Columns, name: str = "x", varies: bool = False) -> tupl
         told = ", ".join(f"`{shapes[shape]}` {shape}" for shape in sizes)
         raise ValueError(f"{name}: columns have one shape, or one number for all rows, and these have {told}")
     if not sizes and len({array.dtype for array in arrays}) > 1:
-        # Integers and fractions stay what they are beside floats.
+        # Beside floats, integers and fractions stay exact.
         arrays = [array.astype(object) for array in arrays]
     shape = sizes[0] if sizes else ()
     return np.stack([np.broadcast_to(array, shape) for array in arrays], axis=-1), more

@@ -82,7 +82,7 @@ def coefficients(
     """
     if order not in ("tril", "triu"):
         raise ValueError(f'order: columns of Q stand as "tril" (j <= i) or "triu" (j >= i), not "{order}"')
-    # Products first, as in the terms of a polynomial.
+    # Products come first, as in polynomials.
     groups: list[tuple[int, str, Any]] = [(-1, part, given) for part, given in zip("QBc", parts[::-1]) if given is not None]
     for k, (name, own) in enumerate((parameters or {}).items()):
         if not isinstance(own, Mapping):
@@ -128,7 +128,7 @@ def dense(n: int, entries: Sequence[Any], sparse: bool) -> tuple[Any, Any, Any]:
     is_c, is_b, is_q = (k < 0) & (j < 0), (k < 0) & (j >= 0), k >= 0
     c[component[is_c]] = values[is_c]
     rows, ours, others, halves = component[is_q], j[is_q], k[is_q], values[is_q] / 2
-    # A square has both halves at one place.
+    # A square has both halves in one place.
     rows, ours, others, halves = np.tile(rows, 2), np.concatenate([ours, others]), np.concatenate([others, ours]), np.tile(halves, 2)
     if sparse:
         from scipy.sparse import coo_array
@@ -153,7 +153,7 @@ def loaded(path: Any) -> dict[str, Any]:
             file = np.load(stream, allow_pickle=False)
             arrays = None if isinstance(file, np.ndarray) else {name: file[name] for name in file.files}
         except Exception as error:
-            # NumPy's own words advise pickles, which run whatever is in a file.
+            # NumPy's message recommends pickles, which can run any code.
             why = "it has arrays of Python's objects" if "Object arrays" in str(error) else "it is damaged, or another file"
             raise ValueError(f"{path} cannot be read as arrays of numbers: {why}; write c, B and Q with np.savez") from None
     if arrays is None:

@@ -176,7 +176,7 @@ class Crossings(Points):
         (*columns, (_, meaning, shown)), _, _ = self._table(json.dumps(question), color=color, threads=whole_or_none(threads, "threads"),
                                                             listener=listener(progress))
         found = {name: values for name, _, values in columns}
-        # Cells are numbered with the last axis fastest; what has one value only is no column.
+        # The last axis varies fastest. An axis with one value has no column.
         sizes = [size(values) or len(np.unique(found[name])) for name, values in over.items()]
         along = {}
         for k, name in enumerate(over):

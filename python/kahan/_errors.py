@@ -36,7 +36,7 @@ class FieldError(ValueError):
     ``message``, ``line``, ``column`` and ``help`` are those of the first mistake.
     """
 
-    __module__ = "kahan"  # The name that a traceback shows is the one to catch.
+    __module__ = "kahan"  # Tracebacks show the name that users catch.
 
     mistakes: tuple[Mistake, ...]
     """All mistakes, in the order of their positions."""

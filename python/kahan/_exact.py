@@ -44,7 +44,7 @@ def exact(value: Any, name: str) -> str:
         if not math.isfinite(value):
             raise ValueError(f"{name}: {value} is no number to compute with")
         return repr(value)
-    # SymPy's numbers.
+    # SymPy's numbers have the attributes p and q.
     p, q = getattr(value, "p", None), getattr(value, "q", None)
     if isinstance(p, int) and isinstance(q, int):
         return f"{_digits(p)}/{_digits(q)}"
@@ -146,7 +146,7 @@ def _number(text: str) -> Fraction:
 
 
 def _value(value: Any) -> Any:
-    # In answers a text of digits is an exact number, and nothing else is.
+    # In answers, only texts of digits are exact numbers.
     if isinstance(value, str):
         return _number(value) if _EXACT.fullmatch(value) else value
     if isinstance(value, list):

@@ -88,7 +88,7 @@ def _system(text: str, origin: str, wanted: str | None, parameters: dict[str, An
         plain = error
     without = re.sub(r"^integral total\d+ = ", "# constant along solutions: ", text, flags=re.MULTILINE)
     failed: Exception = plain
-    # Some forms of a lift keep a total only on its relations. Then the claim fails, and becomes a comment.
+    # Some lifts preserve a total only on their relations, so the claim fails and becomes a comment.
     kinds = [wanted] if wanted else ["automatic", "stable", "smallest"]
     for lift, of in ((kinds[0], text), *((kind, without) for kind in kinds)):
         try:

@@ -136,7 +136,6 @@ class Lattice(Chain):
             made += every
         ended = made + every <= steps
         if ended:
-            # The orbit ends within these steps.
             states = self.step(rows[-1])
             while not np.isnan(states).any():
                 states, made = self.step(states), made + 1

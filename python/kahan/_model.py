@@ -48,7 +48,7 @@ class Place:
         """Returns the line of a name in the user's text, or else the known line."""
         if self.text is None:
             return line
-        # The definition of a name, or else its first place; an event without a name is known by its word.
+        # Finds the definition of a name, or else the first use of the name.
         own = re.escape(name)
         patterns = [r"\bat\b"] if name.startswith("_") else [rf"\b{own}\s*(:|=|')", rf"\b{own}\b"] if name else []
         found = next((found for pattern in patterns if (found := re.search(pattern, self.text))), None)

@@ -60,7 +60,7 @@ class Table(ABC):
         return columns[name]
 
     def __getattr__(self, name: str) -> Array:
-        # What copies and pickles a table asks before it has its attributes.
+        # Copying and unpickling ask for names before the table has attributes.
         if name.startswith("_") or "system" not in self.__dict__:
             raise AttributeError(name)
         try:
@@ -89,7 +89,7 @@ class Table(ABC):
         """Returns the column of this name, or else the default."""
         return self[name] if name in self else default
 
-    # Arrays have no single answer to whether they are equal.
+    # Equality of arrays has no single answer.
     def __eq__(self, other: object) -> bool:
         return self is other
 
@@ -240,7 +240,7 @@ class Orbit(Stepped):
     why: str | None = None
     """An explanation of the end, for a lifted field."""
     _order: int | None = None
-    # The order, if the steps are those of Kahan's map in floats and on a quadratic field.
+    # The order is known for steps of Kahan's map in floats on a quadratic field.
     derivatives: dict[str, Array]
     """The derivatives of ``x``, by the names in ``derivatives=``, each with the shape of ``x``; see
     ``System.orbit``.

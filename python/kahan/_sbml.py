@@ -29,7 +29,7 @@ def _functions(lib: Any) -> dict[int, tuple[str, Callable[..., float]]]:
     for name in ("sin", "tan", "sinh", "cosh", "tanh"):
         found["arc" + name] = (f"a{name}(u)", getattr(math, "a" + name))
     found["arccos"] = ("(pi/2 - asin(u))", math.acos)
-    # The inverse of 1/f is the inverse of f at 1/u.
+    # If g is the inverse of f, then g(1/u) is the inverse of 1/f.
     for name, base in inverse.items():
         if name != "sec":
             found["arc" + name] = (f"a{base}(1/u)", lambda u, base=base: getattr(math, "a" + base)(1 / u))
@@ -41,7 +41,7 @@ def _functions(lib: Any) -> dict[int, tuple[str, Callable[..., float]]]:
 def _rough(lib: Any) -> dict[int, Callable[..., Any]]:
     """Returns the functions with jumps or corners, which are allowed in constants and initial values."""
     relations = {"EQ": operator.eq, "NEQ": operator.ne, "LT": operator.lt, "LEQ": operator.le, "GT": operator.gt, "GEQ": operator.ge}
-    # `a < b < c` is a relation between neighbours.
+    # `a < b < c` compares neighbours.
     found: dict[str, Callable[..., Any]] = {
         f"RELATIONAL_{name}": lambda *all_, of=of: all(map(of, all_, all_[1:])) for name, of in relations.items()
     }
@@ -290,7 +290,7 @@ class _Reader:
         if kind in (lib.AST_POWER, lib.AST_FUNCTION_POWER):
             return self.power(arguments[0], arguments[1], of)
         if self.is_constant(node):
-            # A field's coefficients are rational: the value of a function is a parameter.
+            # Coefficients of a field are rational, so the value of a function becomes a parameter.
             return 5, self.out.computed(lib.formulaToL3String(node), self.number(node, of))
         if kind == lib.AST_FUNCTION_ROOT:
             index = self.number(arguments[0], of) if count == 2 else Fraction(2)
@@ -299,7 +299,7 @@ class _Reader:
             base = self.number(arguments[0], of) if count == 2 else Fraction(10)
             return 2, f"log({self.text(arguments[-1], of)})/{number_text(math.log(base))}"
         pattern = self.functions[kind][0]
-        # An argument behind `/` needs parentheses around a sum or a product.
+        # An argument after `/` needs parentheses around a sum or a product.
         inner = self.text(arguments[0], of, 3 if "/u" in pattern else 0)
         return 5, re.sub(r"\bu\b", lambda _: inner, pattern)
 
@@ -380,7 +380,7 @@ class _Reader:
                             raise self.refused(reaction, f"changes `{name}`, which has a rule, too")
                         flows.setdefault(name, []).append((reference, sign, reaction))
         for name, species in self.known.items():
-            # Where the volume changes, an amount that stays has another concentration.
+            # If the volume changes, a constant amount has a varying concentration.
             is_held = species.getElementName() == "species" and name not in {*flows, *self.rates, *self.formulas}
             if is_held and species.getCompartment() in self.rates and not species.getHasOnlySubstanceUnits():
                 flows[name] = []
@@ -491,7 +491,7 @@ class _Reader:
         for total in conserved(columns):
             terms = []
             volumes = {name: self._volume_of(name) for name in total}
-            # In one volume the sum of concentrations is constant, too.
+            # In a single volume, the sum of the concentrations is constant, too.
             is_one = len(set(volumes.values())) == 1
             for name, factor in total.items():
                 pieces = [] if abs(factor) == 1 else [number_text(abs(factor), True)]

@@ -64,7 +64,7 @@ class Series(Many):
         parts = self._parts(np.asarray(begun), eps, given, call, names, hear)
         if to is not None:
             return _written(self, parts, Path(to))
-        # Other columns are made when they are asked for.
+        # Other columns are computed on demand.
         kept = [name for name in names or () if name in self.system.variables or name not in self._plain()]
         ends: list[Ends] = []
         found: list[list[Array]] = []
@@ -253,7 +253,7 @@ def table_file(path: Path) -> Iterator[Callable[[dict[str, Array]], None]]:
         nonlocal writer
         table = pyarrow.table(columns)
         if writer is not None and not len(table):
-            # Columns without rows are of other types.
+            # Columns without rows have other types.
             return
         if writer is None:
             if path.suffix == ".parquet":

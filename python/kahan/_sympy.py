@@ -24,7 +24,7 @@ def field_text(equations: Any, expands: bool = True) -> str:
 
     class Printer(StrPrinter):  # type: ignore[misc]
         def _print_Float(self, number: Any) -> str:
-            # All digits, exactly: a decimal, or the fraction that the float is.
+            # Prints the exact decimal or fraction.
             return str(sympy.Rational(str(number)))
 
     printer = Printer({"sympy_integers": False})
@@ -78,14 +78,14 @@ def _rates(equations: Any) -> list[tuple[Any, int, Any]]:
     wanted = [derivative for derivative in derivatives if orders[derivative] == highest[derivative.expr]]
     lefts, rights = [left for left, _ in sides], [right for _, right in sides]
     if set(lefts) != set(wanted) or len(lefts) != len(wanted) or any(right.has(*wanted) for right in rights):
-        # With a float in it SymPy would solve all in floats.
+        # A single float would make SymPy solve in floats.
         zeros = [left - right for left, right in sides]
         exact = [zero.xreplace({number: sympy.Rational(str(number)) for number in zero.atoms(sympy.Float)}) for zero in zeros]
         solved = sympy.solve(exact, wanted, dict=True)
         if len(solved) != 1 or len(solved[0]) != len(wanted):
             raise ValueError(f"the equations do not say in one way what {', '.join(map(str, wanted))} are")
         lefts, rights = wanted, [solved[0][derivative] for derivative in wanted]
-    # Derivatives that are variables themselves are written as texts write them; functions stand in them, so they come first.
+    # Derivatives contain functions, so derivatives are replaced first.
     names = {of: sympy.Symbol(f"{of.expr.func}" + "'" * orders[of]) for of in derivatives if of not in wanted}
     symbols = {function: sympy.Symbol(str(function.func)) for function in highest}
     twice = sorted(str(part) for part in set(parts) if part in symbols.values())
@@ -100,7 +100,6 @@ def expression(text: str) -> Any:
 
     sympy = needed("sympy", "sympy")
 
-    # A name beyond ASCII is a symbol to SymPy unasked. It must not be given: Python looks ``ϕ`` up
-    # as ``φ``.
+    # Symbols with other letters are left to SymPy, because Python would read ``ϕ`` as ``φ``.
     symbols = {name: sympy.Symbol(name) for name in re.findall(r"[^\W\d]\w*", text) if name.isascii()}
     return sympy.sympify(text, locals=symbols)

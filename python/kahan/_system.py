@@ -55,7 +55,7 @@ class System(Trajectories, Crossings, Questions):
         at: Any = None, t0: Number | None = None, all: Any = None, **parameters: Number
     ) -> System:
         if not lift:
-            # Without a lift these are names of parameters like others.
+            # Without a lift, these names are ordinary parameters.
             parameters |= {name: value for name, value in {"at": at, "t0": t0, "all": all}.items() if value is not None}
         if isinstance(field, (Mapping, list, tuple)):
             from ._sympy import field_text
@@ -168,7 +168,7 @@ class System(Trajectories, Crossings, Questions):
             parameters["sites"], sites = sites, None
         given = {name: exact(value, name) for name, value in parameters.items()}
         sites = own_sites if sites is None else sites
-        # The new field shares code with this one, except a lift, made for values of parameters, and a chain of other sites.
+        # The new field shares code unless it has a lift or another number of sites.
         known = self if self._lifting is None and sites == own_sites else None
         return self._of(text, is_name, sites, own | given, self._lifting, known)
 

@@ -254,7 +254,7 @@ class Trajectories(Points):
             observe = (observe,)
         if out is not None and observe:
             raise ValueError("out is for ensembles without observers")
-        # An integral that is claimed under a condition may hold for some of the trajectories.
+        # An integral with a condition may hold for some of the trajectories only.
         if "drift" in observe and not self.integrals:
             raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]

@@ -47,7 +47,7 @@ def xpp_text(text: str) -> str:
             ended = ["done"]
             break
         if not line.lstrip().startswith(_SKIPPED):
-            # `p` and `i` before a name are words, and elsewhere names; the name in `dx/dt` is that of the state.
+            # `p` and `i` are keywords before a name, and otherwise names.
             word = re.match(r"\s*[pi](?=[ \t]+[^\W\d])", line, re.IGNORECASE)
             start = word.end() if word else 0
             line = line[:start].lower() + re.sub(
@@ -62,5 +62,5 @@ def xpp_text(text: str) -> str:
              if name.lower() == key + "_"]
     if missing:
         notes.append(f"# no start is given for {', '.join(missing)}: it is 0")
-    # Starts stand before `done`, which ends the text, and behind the lines of the file, which keep their numbers.
+    # Starts come before `done`, which ends the text. All lines of the file keep their numbers.
     return "\n".join([*lines, *(f"init {state}=0" for state in missing), *notes, *ended]) + "\n"

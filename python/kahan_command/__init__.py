@@ -23,6 +23,6 @@ def main() -> None:
     assert spec is not None and spec.loader is not None
     module = module_from_spec(spec)
     spec.loader.exec_module(module)
-    # Ctrl-C ends the command as it ends every other; Python's own handler would wait for it.
+    # Ctrl-C ends the command at once, while Python's handler would wait for the command.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     sys.exit(module.command(["kahan", *sys.argv[1:]]))

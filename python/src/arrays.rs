@@ -1,7 +1,6 @@
 //! Converts NumPy arrays to slices, and words the errors of such conversions.
 //!
-//! Arrays of `float64` and `float32` in C order are used without a copy. NumPy first copies lists,
-//! integers and arrays of other layouts.
+//! Arrays of `float64` and `float32` in C order are used without a copy.
 
 use kahan_study::columns::{ExpectedColumns, OtherColumns};
 use kahan_study::numbers::number;
@@ -47,9 +46,7 @@ pub(crate) fn half_step(eps: Option<&Bound<'_, PyAny>>, dt: Option<&Bound<'_, Py
 }
 
 pub(crate) enum Floats<'py> {
-    /// Double precision.
     Double(PyReadonlyArrayDyn<'py, f64>),
-    /// Single precision.
     Single(PyReadonlyArrayDyn<'py, f32>),
 }
 
@@ -86,8 +83,7 @@ fn converted<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, 
     FLOATS.import(given.py(), "kahan._arrays", "floats")?.call1((given, name))
 }
 
-/// Reads numbers by the Python module `kahan._arrays`. Numbers with names are sorted into the order
-/// of the variables of a field or a chain.
+/// Reads numbers by `kahan._arrays`, which sorts named numbers into the order of the variables.
 pub(crate) fn named<'py>(
     given: &Bound<'py, PyAny>,
     of: &Bound<'py, PyAny>,
@@ -101,11 +97,11 @@ pub(crate) fn named<'py>(
     NAMED.import(given.py(), "kahan._arrays", "named")?.call1((given, of, name))
 }
 
-/// The columns of the states in a table; then the names and columns of parameters and `eps`.
+/// The columns of the states, and the names and columns of parameters and `eps`.
 pub(crate) type Places = (Vec<usize>, Vec<(String, usize)>);
 
-/// Finds the columns of a table. Each of the first `least` states needs a column. If `varies`,
-/// parameters and `eps` may also have columns. Errors mention `name`, the argument of the caller.
+/// Finds the columns of a table. The first `least` states need columns. If `varies`, parameters
+/// and `eps` may have columns.
 pub(crate) fn places(
     names: &[String],
     (states, least): (&[String], usize),
@@ -139,7 +135,7 @@ fn readonly<'py, T: Element>(
     borrowed.map_err(|error| PyValueError::new_err(format!("{name}: {error}; give a copy of it")))
 }
 
-/// Checks the array for a result. The array must be in C order, and have these sizes and this type.
+/// Checks the order, the sizes and the type of an array for results.
 pub(crate) fn out<'py, T: Element>(
     given: &Bound<'py, PyAny>,
     sizes: &[usize],

@@ -1,7 +1,6 @@
-//! Tables as Arrow streams. NumPy columns become a capsule that other libraries can read.
+//! Tables as Arrow streams, in a capsule that other libraries can read.
 //!
-//! Floats and counts are copied once; their arrays may have any strides. Other values, such as
-//! fractions, become text, because Arrow has no rational numbers.
+//! Values other than floats and counts become text, because Arrow has no rational numbers.
 
 use std::sync::Arc;
 

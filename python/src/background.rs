@@ -1,8 +1,6 @@
-//! Does long work without the interpreter's lock. Ctrl-C ends the work, and progress is reported.
+//! Does long work without the interpreter's lock, with Ctrl-C and reports of progress.
 //!
-//! Python handles signals only on its main thread, and only while that thread runs Python code. The
-//! work therefore has its own thread, while the caller's thread checks for signals a hundred times
-//! a second.
+//! Python handles signals only on its main thread, so the work has a thread of its own.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,13 +16,12 @@ use pyo3::prelude::*;
 
 const LOOK: Duration = Duration::from_millis(10);
 const TOLD: Duration = Duration::from_millis(100);
-/// The largest number of numbers that are computed without a check for signals, in some
-/// milliseconds.
+/// The largest count of numbers that are computed without a check for signals.
 const SHORT: u64 = 1 << 16;
 /// The stack size of a working thread. Recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;
 
-/// The [`Watch`] of running work. The watch receives progress and results, and may stop the work.
+/// A [`Watch`] that receives progress and findings, and may stop the work.
 pub(crate) struct Caller {
     stop: AtomicBool,
     is_done: AtomicBool,
@@ -34,7 +31,6 @@ pub(crate) struct Caller {
     threads: usize,
     /// The number of steps, if this watch counts them.
     made: AtomicU64,
-    /// The news that was not reported yet.
     news: Mutex<PendingNews>,
 }
 
@@ -73,14 +69,13 @@ impl Caller {
         if self.wants_no_more() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Does the work, and then wakes the waiting thread. Wakes the thread even after a panic.
+    /// Does the work, and then wakes the waiting thread, even after a panic.
     fn does<R>(&self, work: impl FnOnce(&Caller) -> R) -> R {
         let _woken = WakeOnDrop(self);
         work(self)
     }
 
-    /// Waits for the work, checks for signals, and reports news. If a signal handler or the
-    /// listener raises an exception, the work ends.
+    /// Waits for the work, and reports news. An exception in Python ends the work.
     fn wait(&self, py: Python<'_>, listener: &Listener<'_>) -> PyResult<()> {
         let mut told = Instant::now();
         while !self.is_done.load(Ordering::Acquire) {
@@ -124,9 +119,8 @@ impl Watch for Caller {
     }
 }
 
-/// A listener in Python. For progress, the listener is called with the name of the counted things,
-/// their number and the total. For a finding, the listener is called with `found`, and the
-/// finding's kind, name and text.
+/// A listener in Python. Progress is passed as a name, a number and the total. A finding is passed
+/// as `found`, kind, name and text.
 pub(crate) struct Listener<'py>(pub(crate) Option<Bound<'py, PyAny>>);
 
 impl Listener<'_> {
@@ -145,8 +139,7 @@ impl Listener<'_> {
 /// Does work on another thread, and releases the interpreter's lock meanwhile.
 ///
 /// # Errors
-/// An exception of a signal handler or of the listener, which ends the work and drops its result;
-/// or a panic of the work, which is a bug of this package.
+/// An exception of a signal handler or of the listener, or a panic of the work.
 pub(crate) fn run_watched<R: Send>(
     py: Python<'_>,
     threads: Option<usize>,
@@ -165,11 +158,8 @@ pub(crate) fn run_watched<R: Send>(
     })
 }
 
-/// Works like [`run_watched`] on one thread. At most `SHORT` numbers are computed on the caller's
-/// thread, because starting a thread takes some tens of microseconds.
-///
-/// # Errors
-/// See [`run_watched`].
+/// Works like [`run_watched`] on one thread. Short work is done on the caller's thread, because
+/// starting a thread takes some tens of microseconds.
 pub(crate) fn run_watched_if_long<R: Send>(
     py: Python<'_>,
     numbers: u64,
@@ -185,11 +175,7 @@ pub(crate) fn run_watched_if_long<R: Send>(
     Ok(result)
 }
 
-/// Works like [`run_watched`], but does not wait for the end of cancelled work. With numbers of a
-/// million digits, this end may take seconds. The work must not borrow.
-///
-/// # Errors
-/// See [`run_watched`].
+/// Works like [`run_watched`], but does not wait for the end of cancelled work.
 pub(crate) fn run_detached<R: Send + 'static>(
     py: Python<'_>,
     threads: Option<usize>,
@@ -217,7 +203,7 @@ fn internal_error() -> PyErr {
     PyRuntimeError::new_err("kahan has a mistake here; please report what was asked")
 }
 
-/// A guard whose drop marks the work as done, and wakes the waiting thread.
+/// Marks the work as done on drop, and wakes the waiting thread.
 struct WakeOnDrop<'a>(&'a Caller);
 
 impl Drop for WakeOnDrop<'_> {

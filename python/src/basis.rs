@@ -18,8 +18,7 @@ use crate::field::{Field, question};
 #[pyclass(frozen, module = "kahan._kahan")]
 pub(crate) struct Relation(kahan_discover::Basis);
 
-/// The parts of a relation: exponents, terms, the index of the coefficient 1, the indices of the
-/// integrals, and the proof.
+/// Exponents, terms, the index of the coefficient 1, the indices of the integrals, and the proof.
 type Parts = (Vec<Vec<u32>>, Vec<Vec<(usize, i64)>>, usize, Vec<usize>, Option<u32>);
 
 #[pymethods]
@@ -62,10 +61,8 @@ impl Relation {
         self.0.integrals.clone()
     }
 
-    /// Returns the coefficients along orbits, of shape (orbits, monomials), and the condition
-    /// number of the equations that they solve. `orbits` has the shape (orbits, points, variables);
-    /// the points of an orbit are consecutive. Coefficients that the points do not determine are
-    /// NaN.
+    /// Returns the coefficients along orbits, and the condition number of the equations for them.
+    /// `orbits` has the shape (orbits, points, variables). Undetermined coefficients are NaN.
     fn solve<'py>(
         &self,
         orbits: &Bound<'py, PyAny>,
@@ -102,8 +99,7 @@ impl Relation {
         Ok((values.into_any(), PyArray1::from_vec(py, conditions)))
     }
 
-    /// Returns the exact coefficients along the orbit with these consecutive points. Numbers are
-    /// given and returned as text.
+    /// Returns the exact coefficients along the orbit with these points. All numbers are text.
     fn solve_exactly(&self, orbit: Vec<Vec<String>>) -> PyResult<Vec<String>> {
         let point = |point: &Vec<String>| point.iter().map(|value| number(value)).collect();
         let orbit: Result<Vec<Vec<Rational>>, _> = orbit.iter().map(point).collect();
@@ -119,8 +115,7 @@ fn refused(error: &BasisError) -> PyErr {
 
 #[pymethods]
 impl Field {
-    /// Answers a question of discovery; question and answer are JSON. Also returns the bases that
-    /// were found.
+    /// Answers a question of discovery in JSON, and returns the bases that were found.
     #[pyo3(name = "_discovered", signature = (asked, *, listener = None))]
     fn discovered(
         &self,

@@ -17,8 +17,7 @@ use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// The number of trajectories that a thread takes at once. The columns of these trajectories stay
-/// in the thread's cache.
+/// The number of trajectories that a thread takes at once, so that they fit in its cache.
 const TOGETHER: usize = 1024;
 /// The number of steps, summed over all trajectories, between two checks for signals.
 const AT_ONCE: u64 = 1 << 22;
@@ -27,9 +26,8 @@ const TOLD: u64 = 1 << 18;
 
 #[pymethods]
 impl Field {
-    /// Advances many trajectories by `steps` steps. Returns the last point of each (NaN if it ended
-    /// early), how it ended, and the number of its steps. `eps` and each parameter have one value,
-    /// or one value for each trajectory.
+    /// Advances many trajectories by `steps` steps. Returns the last points, how the trajectories
+    /// ended, and their numbers of steps.
     #[pyo3(name = "_advance", signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn advance<'py>(
@@ -50,8 +48,7 @@ impl Field {
         }
     }
 
-    /// Observes the orbits of many points. Returns the names of the columns, and for each orbit a
-    /// row of numbers, how it ended, and the number of its steps. `of` names the observables.
+    /// Computes the observables `of`. Returns columns, rows, and how the orbits ended.
     #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, transient = 0, renormalize = 10, spectrum = None, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
@@ -100,7 +97,6 @@ impl Field {
     }
 }
 
-/// The options of an ensemble.
 pub(crate) struct EnsembleOptions<'a, 'py> {
     pub(crate) eps: &'a Bound<'py, PyAny>,
     pub(crate) steps: u64,
@@ -176,8 +172,7 @@ impl Field {
 pub(crate) struct Trajectories<T: Float> {
     pub(crate) at: MapAt<T>,
     pub(crate) eps: Vec<T>,
-    /// For each parameter one value, or one value for each trajectory. Empty if the map's values
-    /// hold for all parameters.
+    /// The values of each parameter; empty if the values of the map are used.
     pub(crate) constants: Vec<Vec<T>>,
     pub(crate) steps: u64,
     trajectories: usize,
@@ -203,8 +198,7 @@ impl<T: Float> Trajectories<T> {
         caller.made(steps.saturating_mul(trajectories as u64), all)
     }
 
-    /// Advances points that are stored row by row. Returns how the trajectories ended, one list for
-    /// each piece that a thread took.
+    /// Advances points that are stored row by row. Returns how each trajectory ended.
     pub(crate) fn advance(
         &self,
         rows: &mut [T],
@@ -220,8 +214,7 @@ impl<T: Float> Trajectories<T> {
         found.into_iter().collect()
     }
 
-    /// Finds the trajectories of a lifted field whose last points are beyond the lift's domain, and
-    /// follows them again up to their ends. `from` and `to` hold first and last points.
+    /// Finds the trajectories that left the domain of the lift, and follows them again to the end.
     fn end_lifted(
         &self,
         from: &[T],
@@ -261,10 +254,9 @@ pub(crate) struct ThreadColumns<'a, T: Float> {
     eps: &'a [T],
     parameters: Vec<&'a [T]>,
     caller: &'a Caller,
-    /// The end of each trajectory so far: how it ended, with its number of steps. Empty before the
-    /// first step.
+    /// The end of each trajectory so far; empty before the first step.
     ends: Vec<End>,
-    /// The number of steps. The next field is the number of steps that were not reported yet.
+    /// The number of steps, of which `untold` are not yet reported.
     pub(crate) made: u64,
     untold: u64,
 }
@@ -333,8 +325,7 @@ impl<'a, T: Float> ThreadColumns<'a, T> {
         (0..count).filter(|k| step.is_beyond(&point(*k))).collect()
     }
 
-    /// Returns how each trajectory ended. If no step was made, each is complete, unless its start
-    /// is not finite.
+    /// Returns how each trajectory ended. Without steps, only starts that are not finite end early.
     pub(crate) fn ends(mut self) -> Result<Vec<End>, DimensionError> {
         if self.made == 0 {
             self.follow(0)?;
@@ -376,8 +367,7 @@ impl Trajectories<f64> {
     }
 }
 
-/// The ends of trajectories: the names of ends that occur, the index of the name for each
-/// trajectory, and the number of its steps.
+/// The names of the ends that occur, the index of the name for each trajectory, and its steps.
 pub(crate) type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
 
 pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator<Item = End>) -> Ends<'_> {
@@ -395,8 +385,7 @@ pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator
     (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
 }
 
-/// Combines the ends before and after step `steps`; `more` counts steps from there. A trajectory
-/// that ended before keeps its end.
+/// Combines the ends before and after step `steps`, from which `more` counts.
 fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
     if before.is_empty() {
         return more;

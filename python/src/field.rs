@@ -30,8 +30,7 @@ pub(crate) struct MapCache {
     double: Option<MapAt<f64>>,
     single: Option<MapAt<f32>>,
     with_integrals: Option<MapAt<f64>>,
-    /// The map at the parameter values of the last call that gave values, together with these
-    /// values.
+    /// The map at the parameter values of the last call that gave values, with these values.
     valued: Option<(Vec<Option<f64>>, MapAt<f64>)>,
 }
 
@@ -89,8 +88,7 @@ impl Field {
         if let Some(at) = last.with_integrals.as_ref().filter(|at| at.eps() == eps) {
             return Ok(at.clone());
         }
-        // A float stands for its shortest decimal. For NaN and infinity, the claims at ε = 0 are
-        // used.
+        // A float stands for its shortest decimal, and NaN or infinity for 0.
         let exact = number(&eps.to_string()).unwrap_or_else(|_| Rational::zero());
         let at = self.study.at_step(&exact).and_then(|study| Ok(study.map()?.at(eps)));
         let at = at.map_err(|error| of_study(py, &error))?;
@@ -98,8 +96,7 @@ impl Field {
         Ok(at)
     }
 
-    /// Returns the map at eps = 0 with these values in place of the field's own values, and caches
-    /// it.
+    /// Returns the map at eps = 0 with these parameter values, and caches the map.
     pub(crate) fn valued(&self, py: Python<'_>, values: &[Option<f64>]) -> PyResult<MapAt<f64>> {
         if values.iter().all(Option::is_none) {
             return self.at(py, 0.0);
@@ -128,8 +125,7 @@ impl Field {
         self.study.variables().len()
     }
 
-    /// Builds the error for points of a wrong shape. For a lifted field, the message names the
-    /// variables that arrays have.
+    /// Builds the error for points of a wrong shape.
     pub(crate) fn wrong_points(&self, name: &str, wanted: &[&str], found: &[usize]) -> PyErr {
         let shown = self.study.shown().len();
         let given = found.iter().enumerate().map(|(axis, size)| {
@@ -170,9 +166,8 @@ impl Field {
     }
 }
 
-/// The options of a lift: its kind; if given, the names and values of the coordinates of the start
-/// of the orbit along which lifts are compared; the time of the start; and whether arrays have the
-/// new variables.
+/// The kind of a lift, the names and values of the start, the time of the start, and whether arrays
+/// have the new variables.
 type Lift = (String, Option<(Vec<String>, Vec<String>)>, String, bool);
 
 fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
@@ -192,7 +187,6 @@ fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
 
 #[derive(FromPyObject)]
 enum FieldSource<'py> {
-    /// A text.
     Text(String),
     /// Coefficients: states, parameters, and the columns of `kahan._coefficients.Entries`.
     Coefficients(Vec<String>, Vec<String>, Columns<'py>),
@@ -232,10 +226,8 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 
 #[pymethods]
 impl Field {
-    /// Reads a field from its name in the catalog, its text or its coefficients. `sites` is for
-    /// families. Values of parameters are exact numbers as text. If `of` is given, takes the field
-    /// `of` at these values and ignores the other arguments; both fields share plans and compiled
-    /// code.
+    /// Reads a field from its name, its text or its coefficients. If `of` is given, takes the field
+    /// `of` at other parameter values, with shared plans and compiled code.
     #[new]
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, of = None))]
     fn new(
@@ -276,15 +268,13 @@ impl Field {
         self.study.name()
     }
 
-    /// The text in the language of `kahan!`. For a system of the catalog, it is the block in Rust,
-    /// which can be read as a field, too.
+    /// The text in the language of `kahan!`.
     #[getter]
     fn text(&self) -> &str {
         self.study.text()
     }
 
-    /// Returns the coefficients of the field at its parameter values: components, first states,
-    /// second states (−1 for none), and values.
+    /// Returns components, first states, second states (−1 for none) and values of coefficients.
     #[pyo3(name = "_coefficients")]
     fn coefficients(&self, py: Python<'_>) -> PyResult<([Vec<i64>; 3], Vec<f64>)> {
         let coefficients = self.study.coefficients().map_err(|error| of_study(py, &error))?;
@@ -302,8 +292,7 @@ impl Field {
         self.study.shown().iter().map(String::as_str).collect()
     }
 
-    /// Finds the columns of the variables among these names. If `varies`, parameters and `eps` may
-    /// have columns, too. Errors mention `name`, the argument of the caller.
+    /// Finds the columns of the variables among these names. Errors mention `name`.
     #[pyo3(name = "_matched")]
     fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
         let states = (self.study.shown(), self.study.coordinates().len());
@@ -323,8 +312,7 @@ impl Field {
         Ok(found.map(|found| serde_json::to_string(&found).expect("answers are JSON")))
     }
 
-    /// The time at the start, and the index of `t` among all variables; `None` if `t` was not
-    /// lifted.
+    /// The time at the start, and the index of `t` among all variables if `t` was lifted.
     #[getter(_time)]
     fn time(&self) -> (f64, Option<usize>) {
         (self.study.time().to_f64(), self.study.time_place())
@@ -336,9 +324,8 @@ impl Field {
         self.study.project(&(0..self.study.variables().len()).collect::<Vec<_>>())
     }
 
-    /// Extends points to all variables. Points have the shape (…, variables) or (…, original
-    /// variables); the result has the shape (…, all variables). `parameters` holds for each
-    /// parameter one number, one number for each point, or `None` for the field's own value.
+    /// Extends points to all variables. A parameter has one number, one number for each point, or
+    /// `None` for the field's own value.
     #[pyo3(name = "_embedded", signature = (x, parameters = Vec::new(), time = None))]
     pub(crate) fn embedded<'py>(
         &self,
@@ -379,8 +366,7 @@ impl Field {
         Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
     }
 
-    /// Returns a warning about a lift that was chosen without a start; the warning is based on the
-    /// orbit of `x`.
+    /// Returns a warning about a lift that was chosen without a start, for the orbit of `x`.
     #[pyo3(name = "_relations_warning")]
     fn relations_warning(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -388,8 +374,7 @@ impl Field {
         Ok(at.and_then(|at| self.study.relations_warning(&at, eps.0)))
     }
 
-    /// Returns a note on components that steps do not resolve, based on some of the points `x`,
-    /// which have all variables.
+    /// Returns a note on components that steps do not resolve at some of the points `x`.
     #[pyo3(name = "_rates_note")]
     fn rates_note(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -412,8 +397,7 @@ impl Field {
         Some(self.study.start()?.iter().map(Rational::to_string).collect())
     }
 
-    /// The parameters with their values as text: the given value, otherwise the text's value, or
-    /// `None`.
+    /// The parameters with their values as text; `None` for a missing value.
     #[getter(_given)]
     fn given(&self) -> Vec<(&str, Option<String>)> {
         let values = self.study.valued().into_iter().map(|value| value.map(|value| value.to_string()));

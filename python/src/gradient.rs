@@ -13,9 +13,8 @@ use crate::orbit::{composition, stride};
 
 #[pymethods]
 impl Field {
-    /// Returns the derivatives of a scalar with respect to the start, the parameters and eps, each
-    /// with its name. `weights` are the derivatives of the scalar with respect to the rows of the
-    /// orbit.
+    /// Returns the derivatives of a scalar with respect to the start, the parameters and eps.
+    /// `weights` are the derivatives of the scalar with respect to the rows of the orbit.
     #[pyo3(name = "_gradient", signature = (x, eps, weights, *, every = 1, order = 2, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn gradient(
@@ -47,8 +46,7 @@ impl Field {
     }
 }
 
-/// Builds the error for an orbit that float32 or compensated steps complete, but float64 steps do
-/// not.
+/// Builds the error for an orbit that float64 steps do not complete.
 fn ended(end: End, steps: u64) -> PyErr {
     PyValueError::new_err(format!(
         "in float64 and without compensation the orbit ends after step {} of {steps}; choose fewer steps",

@@ -23,7 +23,7 @@ pub(crate) fn is_family(text: &str) -> bool {
 pub(crate) struct Chain {
     lattice: Lattice,
     sites: usize,
-    /// The map of the chain. The scratch memory of the map allows only one call at a time.
+    /// The map, whose scratch memory allows one call at a time.
     at: Mutex<ChainAt>,
 }
 
@@ -62,8 +62,7 @@ impl Chain {
         self.lattice.arrays()
     }
 
-    /// Finds, among these column names, those that hold the chain's arrays. Parameters have no
-    /// columns.
+    /// Finds the columns of the chain's arrays among these names.
     #[pyo3(name = "_matched")]
     fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
         let arrays = self.lattice.arrays();
@@ -99,8 +98,7 @@ impl Chain {
         x.into_pyarray(py).reshape(state.shape())
     }
 
-    /// Returns the sums over the chain at a state, by name: the integrals, the Hamiltonian, and the
-    /// modified energy, which the map preserves.
+    /// Returns the integrals, the Hamiltonian and the modified energy at a state, by name.
     #[pyo3(name = "_sums")]
     fn sums(slf: &Bound<'_, Self>, state: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
         let own = slf.get();

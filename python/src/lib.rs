@@ -1,9 +1,7 @@
-//! The interface between Python and the libraries. It takes Python objects, and returns arrays and
-//! answers.
+//! The interface between Python and the libraries.
 //!
-//! Questions and answers are JSON ([`kahan_study::Question`]); calls in loops (steps, orbits,
-//! ensembles) take and return NumPy arrays directly. Python files in `kahan/` add named results,
-//! SymPy formulas and plots. Mathematics is deliberately absent.
+//! Questions and answers are JSON ([`kahan_study::Question`]). Steps, orbits and ensembles take and
+//! return NumPy arrays. Python files in `kahan/` add named results, SymPy formulas and plots.
 
 mod arrays;
 mod arrow;
@@ -43,8 +41,7 @@ mod _kahan {
     const __version__: &str = env!("CARGO_PKG_VERSION");
 }
 
-/// Runs the command `kahan` and returns its exit status; the first argument is the name of the
-/// program.
+/// Runs the command `kahan`, and returns its exit status.
 #[pyfunction]
 fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| kahan_cli::status(arguments))
@@ -66,14 +63,13 @@ fn names() -> [(&'static str, Vec<&'static str>); 6] {
     ]
 }
 
-/// Returns the known name that `name` probably misspells; the rule is the one for texts of fields.
+/// Returns the known name that `name` probably misspells.
 #[pyfunction]
 fn nearest(name: &str, known: Vec<String>) -> Option<String> {
     kahan_algebra::check::nearest(name, &known).cloned()
 }
 
-/// Scales the numbers of a column for a picture. Also returns whether the results are logarithms to
-/// base 10.
+/// Scales a column for a picture. Also returns whether the results are logarithms to base 10.
 #[pyfunction]
 fn picture_scale(column: &str, values: Vec<f64>) -> (bool, Vec<f64>) {
     (Chart::is_logarithmic(column), values.into_iter().map(Chart::scale(column)).collect())

@@ -44,8 +44,7 @@ impl Field {
         slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, true)
     }
 
-    /// Follows an orbit. Returns its rows (the first after `transient` steps), the number of all
-    /// steps, how it ended (complete, range or reembed), and the reason if the lift ended it.
+    /// Follows an orbit. Returns the rows, the number of steps, how the orbit ended, and why.
     #[pyo3(name = "_points", signature = (x, eps, steps, *, transient = 0, every = 1, order = 2, compensated = false, reembed = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(
@@ -77,8 +76,7 @@ impl Field {
         }
     }
 
-    /// Computes f(x) at points, in an array of the shape of x; or f′(x), in an array with one more
-    /// axis. `parameters` replace the field's own values; `None` keeps a value.
+    /// Computes the field or its Jacobian at points. `parameters` replace the field's own values.
     #[pyo3(name = "_field_at", signature = (x, *, parameters = Vec::new(), jacobian = false))]
     fn field_at<'py>(
         &self,
@@ -103,8 +101,7 @@ impl Field {
         Ok(PyArray1::from_vec(py, values).reshape(sizes)?.into_any())
     }
 
-    /// Returns the names of the claimed integrals, and their values at points. In the array of
-    /// values, the last axis is that of the integrals.
+    /// Returns the names of the claimed integrals, and their values along the last axis.
     #[pyo3(name = "_integrals_at")]
     fn integrals_at<'py>(
         &self,
@@ -146,8 +143,7 @@ struct OrbitOptions<'py> {
     listener: Listener<'py>,
 }
 
-/// The rows of an orbit, the number of steps to the last point, how the orbit ended, and the reason
-/// if the lift ended it.
+/// The rows of an orbit, the number of steps, how the orbit ended, and why.
 type Rows<'py> = (Bound<'py, PyAny>, u64, &'static str, Option<String>);
 
 impl Field {

@@ -17,8 +17,7 @@ pub(crate) struct Program(Formulas);
 
 #[pymethods]
 impl Program {
-    /// Reads the formulas `texts`. The formulas may use `names`, and `definitions`, which are named
-    /// formulas.
+    /// Reads formulas, which may use `names` and the named formulas `definitions`.
     #[new]
     fn new(names: Vec<String>, definitions: Vec<(String, String)>, texts: Vec<String>) -> PyResult<Self> {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();

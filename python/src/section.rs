@@ -19,9 +19,8 @@ type Ends<'py> = (Vec<&'static str>, [Bound<'py, PyAny>; 3]);
 
 #[pymethods]
 impl Field {
-    /// Returns the crossings for a question about a section, given as JSON: their columns, and how
-    /// each orbit ended. If `part` is given, it is called with the columns of one block of
-    /// crossings after another; the result then holds the last block.
+    /// Returns the crossings of a section, and how each orbit ended. If `part` is given, it is
+    /// called with each block of crossings, and the result holds the last block.
     #[pyo3(name = "_crossings", signature = (question, *, part = None, threads = None, listener = None))]
     fn crossings<'py>(
         &self,
@@ -100,8 +99,7 @@ impl Rows for Parts<'_> {
     }
 }
 
-/// Converts the columns of a table to arrays. If the table has no rows, its columns become empty
-/// arrays of doubles.
+/// Converts the columns of a table to arrays. An empty table becomes empty arrays of doubles.
 fn in_arrays(py: Python<'_>, rows: Table) -> PyResult<Columns<'_>> {
     let mut values = rows.values.into_iter();
     let columns = rows.columns.into_iter().map(|column| {

@@ -1,7 +1,4 @@
 //! Derivatives of orbits and ensembles with respect to parameters, first points and ε.
-//!
-//! In: the rows of an orbit, which were computed without derivatives. Out: the derivative of each
-//! row with respect to each name.
 
 use std::num::NonZeroU64;
 
@@ -23,9 +20,8 @@ const MOMENT: u64 = 4096;
 
 #[pymethods]
 impl Field {
-    /// Differentiates the rows of an orbit, which `_points` returned, with respect to the names in
-    /// `by`. Returns the names in the order of the array, and the array of shape (names, rows,
-    /// variables).
+    /// Differentiates the rows of an orbit with respect to the names in `by`. Returns the names in
+    /// order, and an array of shape (names, rows, variables).
     #[pyo3(name = "_derivatives", signature = (rows, eps, by, *, every, order = 2, compensated = false, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn derivatives<'py>(
@@ -47,9 +43,8 @@ impl Field {
         Ok((vectors.names, derivatives?))
     }
 
-    /// Differentiates the last points of an ensemble with respect to the names in `by`. The other
-    /// arguments are those of `_advance`. Returns the names in the order of the array, and the
-    /// array of shape (names, trajectories, variables).
+    /// Differentiates the last points of an ensemble with respect to the names in `by`. Returns the
+    /// names in order, and an array of shape (names, trajectories, variables).
     #[pyo3(name = "_last_derivatives", signature = (points, eps, steps, by, *, parameters = Vec::new(), order = 2, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn last_derivatives<'py>(
@@ -92,8 +87,7 @@ struct SensitivityOptions<'py> {
 struct Vectors {
     names: Vec<String>,
     by: Vec<Sensitivity>,
-    /// For each derivative with respect to an initial value, the index of the variable; otherwise
-    /// `None`.
+    /// The index of the variable for a derivative by an initial value; otherwise `None`.
     starts: Vec<Option<usize>>,
     variables: usize,
 }
@@ -108,8 +102,7 @@ impl Vectors {
         self.starts.iter().flat_map(vector)
     }
 
-    /// Writes the vectors of a state into the derivatives: each vector becomes row `row` of its
-    /// derivative, which has `rows` rows.
+    /// Writes each vector of a state as row `row` of its derivative, which has `rows` rows.
     fn put<T: Float>(&self, vectors: &[T], derivatives: &mut [T], row: usize, rows: usize) {
         let n = self.variables.max(1);
         for (k, vector) in vectors.chunks_exact(n).enumerate() {
@@ -119,8 +112,7 @@ impl Vectors {
 }
 
 impl Field {
-    /// Returns the vectors for these names. The vectors are in the order of the field, so that
-    /// compiled code serves every order of names.
+    /// Returns the vectors for these names, in the order of the field.
     fn vectors(&self, asked: &[String]) -> Vectors {
         let study = self.study();
         let parameters = study.parameters().iter().enumerate();
@@ -154,8 +146,7 @@ impl Field {
         }
     }
 
-    /// Returns the derivatives of the last points of an ensemble. The derivatives are NaN if a
-    /// trajectory or one of its derivatives leaves the range of floats.
+    /// Returns the derivatives of the last points; NaN if a number leaves the range of floats.
     fn at_the_end<'py, T: Float>(
         &self,
         points: &PyReadonlyArrayDyn<'py, T>,
@@ -179,8 +170,8 @@ impl Field {
     }
 }
 
-/// Propagates the vectors from row to row; `with` is the map of a point with its vectors. At each
-/// row, the row replaces the point in the state, which may differ by rounding.
+/// Propagates the vectors from row to row by the map `with`. Each row replaces the computed point,
+/// which may differ from the row by rounding.
 fn carried<'py, S>(
     with: &S,
     rows: &PyReadonlyArrayDyn<'py, S::Scalar>,

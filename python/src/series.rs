@@ -1,8 +1,4 @@
-//! Returns points along many trajectories.
-//!
-//! In: an ensemble, and the steps to show. Out: the rows of each trajectory, equal to those of
-//! single orbits bit for bit. Trajectories are followed in columns. Trajectories of a lifted field
-//! that left the lift's domain are followed again, one by one.
+//! Returns points along many trajectories, equal to those of single orbits bit for bit.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -18,15 +14,13 @@ use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::{room, stride, zeros};
 
-/// The number of trajectories that a thread takes at once. The rows that it writes stay in its
-/// cache.
+/// The number of trajectories that a thread takes at once, so that its rows stay in the cache.
 const TOGETHER: usize = 128;
 
 #[pymethods]
 impl Field {
-    /// Follows many trajectories. Returns three arrays: the points after `transient` steps and
-    /// after every `every` of the following `steps` steps, of shape (trajectories, rows,
-    /// variables), NaN after an early end; how each trajectory ended; and the number of its steps.
+    /// Follows many trajectories. Returns the points of shape (trajectories, rows, variables), how
+    /// the trajectories ended, and their numbers of steps.
     #[pyo3(name = "_series", signature = (points, eps, steps, *, every, transient = 0, parameters = Vec::new(), order = 2, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn series<'py>(
@@ -79,8 +73,7 @@ impl Field {
 }
 
 impl<T: Float> Trajectories<T> {
-    /// Follows points, stored row by row in `from`. Writes the points of each trajectory that are
-    /// shown to `to`, and NaN after its end. Returns how the trajectories ended.
+    /// Follows points, and writes the shown points to `to`, with NaN after an early end.
     fn series(
         &self,
         from: &[T],

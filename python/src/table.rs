@@ -13,9 +13,8 @@ use crate::field::Field;
 
 #[pymethods]
 impl Field {
-    /// Returns the rows of a question, given as JSON: name, meaning and values of each column; how
-    /// the table ended; and the number of steps of an orbit. For orbits over axes, `color` is an
-    /// observable that becomes the last column.
+    /// Returns the columns of a question's rows, how the table ended, and the number of steps.
+    /// `color` is an observable that becomes the last column.
     #[pyo3(name = "_table", signature = (question, *, color = None, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(
@@ -53,8 +52,7 @@ impl Field {
     }
 }
 
-/// Converts a column. Floats and counts become an array, double-doubles an array with two numbers
-/// in a row, and other values a list.
+/// Converts a column: floats and counts to an array, other values to a list.
 pub(crate) fn array(py: Python<'_>, kept: StoredColumn) -> PyResult<Bound<'_, PyAny>> {
     Ok(match kept {
         StoredColumn::F64(values) => values.into_pyarray(py).into_any(),
@@ -72,8 +70,7 @@ pub(crate) fn array(py: Python<'_>, kept: StoredColumn) -> PyResult<Bound<'_, Py
     })
 }
 
-/// Converts a number to a Python fraction. An undefined value becomes `None`, and an infinite value
-/// becomes a float.
+/// Converts a number to a Python fraction, an infinite value to a float, a missing one to `None`.
 fn fraction<'py>(py: Python<'py>, value: &Exact) -> PyResult<Bound<'py, PyAny>> {
     static FRACTION: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     match value {

@@ -38,7 +38,7 @@ def test_steps_are_those_of_the_orbit():
     for row in orbit.x[1:]:
         x = s.step(x, 0.05)
         assert np.array_equal(x, row)
-    # Many points at once, and into an array that is there.
+    # Many points are stepped at once, also into a given array.
     out = np.empty((100, 3))
     assert s.step(orbit.x[:-1], 0.05, out=out) is out and np.array_equal(out, orbit.x[1:])
 

@@ -35,11 +35,11 @@ def test_all_forms_of_arrays_are_one_field(n):
     assert s.variables == tuple(f"x{i + 1}" for i in range(n))
     expected = c + B @ x + Q @ x @ x
     np.testing.assert_allclose(s.rhs()(0.0, x), expected, rtol=1e-14 * n**2, atol=1e-15 * n**2)
-    # Kahan's map, from the arrays alone.
+    # Kahan's map is computed from the arrays alone.
     eps = 0.01
     step = x + 2 * eps * np.linalg.solve(np.eye(n) - eps * (B + 2 * Q @ x), expected)
     np.testing.assert_allclose(s.step(x, eps), step, rtol=1e-13, atol=1e-15)
-    # A column in which halves are summed may differ from them in the last bit.
+    # Summed halves may differ from the coefficient in the last bit.
     for other, order in ((Q.reshape(n, n * n), "tril"), (triangle(Q, "tril"), "tril"), (triangle(Q, "triu"), "triu")):
         again = kahan.System.from_arrays(c, B, other, order=order)
         np.testing.assert_allclose(again.step(x, eps), step, rtol=1e-13, atol=1e-15)
@@ -62,10 +62,9 @@ def test_arrays_say_what_the_text_says():
     text = kahan.System("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x) + 3/8;")
     s = kahan.System.from_arrays(*text.arrays(), names=["x", "y", "z"])
     x = [0.3, 0.5, -0.2]
-    # Sums that the text has as factors are written out, so the last digits differ.
+    # The text has factors where the arrays have sums, so the last digits differ.
     np.testing.assert_allclose(s.orbit(x, 0.01, 200).x, text.orbit(x, 0.01, 200).x, rtol=1e-13)
     assert kahan.System(s.text).arrays()[2].tolist() == s.arrays()[2].tolist()
-    # Discovery and exact answers work as for a text.
     euler = kahan.System.from_arrays(Q=kahan.catalog.euler(a1=1, a2=-3, a3=1).arrays()[2])
     assert len(euler.discover().integrals) >= 2
     assert euler.evaluate([Fraction(1, 2), 1, 2], Fraction(1, 10), exact=True).x_next[0].denominator > 1

@@ -8,7 +8,7 @@ import pytest
 import kahan
 
 TEXT = "struct P { a, b } xdot = y*(1 - a*eps^2) + b*eps^4*x^2; ydot = (a - eps^2)*(x - b*y)*x/(1 + b^2*eps^2) - eps^2/2;"
-# The field with eps^2 replaced by a parameter k.
+# The field with a parameter k in place of eps^2.
 STRAIGHT = "struct P { a, b, k } xdot = y*(1 - a*k) + b*k^2*x^2; ydot = (a - k)*(x - b*y)*x/(1 + b^2*k) - k/2;"
 VALUES = {"a": "3/2", "b": "-2/3"}
 EPS = Fraction(1, 8)
@@ -42,7 +42,7 @@ def test_steps_and_ensembles_are_those_of_the_coefficients_at_eps() -> None:
     rhs = own.rhs()
     assert np.allclose(rhs(0.0, x), at_zero.rhs()(0.0, x), **near)
     assert np.allclose(rhs.jacobian(0.0, x), at_zero.rhs().jacobian(0.0, x), **near)
-    # Another eps for each start.
+    # Each start has an eps of its own.
     ends = own.ensemble([x, x], eps=[eps, eps / 2], steps=20)
     assert np.allclose(ends.x[0], own.orbit(x, eps=eps, steps=20).x[-1], **near)
     assert np.allclose(ends.x[1], own.orbit(x, eps=eps / 2, steps=20).x[-1], **near)

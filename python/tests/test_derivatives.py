@@ -64,7 +64,7 @@ def test_derivatives_are_those_of_differences_in_50_digits():
 
             point, rows = mpmath.matrix([x, y, z]), []
             for _ in range(steps):
-                # f is quadratic, so that a difference is its derivative.
+                # For quadratic f, central differences are exact.
                 units = [mpmath.matrix([int(i == j) for i in range(3)]) for j in range(3)]
                 slopes = [(f(point + unit) - f(point - unit)) / 2 for unit in units]
                 A = mpmath.matrix(3, 3)
@@ -121,7 +121,7 @@ def test_a_pole_ends_an_orbit_and_its_derivatives():
     assert (o.ended, o.steps, len(o.x)) == (alone.ended, alone.steps, len(alone.x))
     k = np.arange(22)[:, None]
     root = 1 - 2 * k * eps * 3 * x
-    # At the last of these rows 1 - 2 k eps a x is 1/16: its square enlarges 20 steps of rounding by 256, to 6e-13.
+    # The factor 1 - 2 k eps a x falls to 1/16, which enlarges rounding errors by 256, to 6e-13.
     for name, expected in (("x", root**-2), ("a", 2 * k * eps * x**2 * root**-2), ("eps", 6 * k * x**2 * root**-2)):
         assert o.derivatives[name].shape == o.x.shape
         np.testing.assert_allclose(o.derivatives[name][:21], expected[:21], rtol=1e-12)
@@ -133,7 +133,7 @@ def test_a_pole_ends_an_orbit_and_its_derivatives():
 def test_an_orbit_goes_on_where_its_derivatives_overflow():
     o = kahan.System("xdot = x;").orbit([0.0], 0.5, 700, derivatives=["x"])
     assert o.ended == "complete" and (o.x == 0).all()
-    # 640 steps of rounding are 7e-14.
+    # The rounding errors of 640 steps are about 7e-14.
     np.testing.assert_allclose(o.derivatives["x"][:640, 0], 3.0 ** np.arange(640), rtol=1e-13)
     assert not np.isfinite(o.derivatives["x"][-1, 0])
 

@@ -7,7 +7,7 @@ import pytest
 
 import kahan
 
-# A field, a start, eps, steps; how it ends, and after how many steps.
+# A field, a start, eps, steps, the kind of end, and the number of steps before the end.
 ENDS = [
     ("xdot = x^2;", [1.0], 0.05, 11, "range", 9),
     ("xdot = x^2;", [1.0], 0.05, 9, "complete", 9),
@@ -26,7 +26,7 @@ def test_an_orbit_ends_in_the_same_way_wherever_it_is_followed(text, start, eps,
     observed = s.observe(start, eps, steps)
     for one in (orbit, section, observed, s.orbit(start, eps, steps, every=7)):
         assert (one.ended, one.ended_step) == (ended, step)
-    # Beside others, one of which is not a number.
+    # One of the other points is not a number.
     points = np.array([start, np.full(len(start), np.nan), start])
     chart = s.chart({"x": [start[0], start[0]]}, start, eps, steps=steps, color="sali", escape=None)
     for many in (s.ensemble(points, eps, steps), s.ensemble(points, eps, steps, observe=["sali", "fli", "extrema"])):
@@ -53,7 +53,7 @@ def test_an_orbit_escapes_where_a_bound_is_asked_for():
 
 def test_steps_over_poles_are_counted_where_they_are_asked_for():
     s = kahan.System("xdot = x^2;")
-    # 1/x falls by 0.14 a step: the eighth goes over the pole; of the last orbit it is the second.
+    # In each step 1/x falls by 0.14, from 1 and from 0.21 through 0.
     many = s.ensemble([[1.0], [-1.0], [1 / 0.21]], 0.07, 8, observe=["passed_poles"])
     assert many.passed_poles.tolist() == [1, 0, 1] and many.passed_poles_lower_bound.tolist() == [0, 0, 0]
     one = s.observe([1], 0.07, 8, observe="passed_poles")

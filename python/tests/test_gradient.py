@@ -77,7 +77,7 @@ def test_rows_of_an_orbit_that_ends_early_have_a_gradient():
     o = s.orbit([1], 0.05, 20)
     assert o.ended == "range" and len(o.x) == 10
     weights = np.ones((10, 1))
-    # Of x' = a x^2 a row after n steps is x/(1 - 2 eps a n x).
+    # For x' = a x^2, the row after n steps is x/(1 - 2 eps a n x).
     expected = sum(1 / (1 - 0.1 * n) ** 2 for n in range(10))
     assert o.gradient(weights, "x")["x"] == pytest.approx(expected, rel=ROUNDING)
     with pytest.raises(ValueError, match=r"the shape \(10, 1\) .* this is \(21, 1\); the orbit ended early, no finite point after step 9: "

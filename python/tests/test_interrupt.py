@@ -9,15 +9,15 @@ import pytest
 RING = "for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }"
 HARD = "xdot = y*z + x*w; ydot = x*z - w^2; zdot = x*y + w*y; wdot = x^2 - y*z + z^2;"
 
-# Every call that may take long, each with work for minutes or more.
+# Calls that take minutes or more, one for each kind of long work.
 LONG = [
     "s.orbit([1, 2, 3], 0.01, 10**12, every=10**12)",
     "s.orbit([1, 2, 3], 0.01, 10**12, every=10**12, compensated=True)",
     *(f"s.orbit([1, 2, 3], 0.01, 10**12, every=10**11, {how})" for how in ["scalar='dd'", "method='flow'", "projective=True"]),
-    # Forward 10^6 rows apart; and back over a long orbit that is made in a moment.
+    # Gradients of orbits with rows far apart, and of long orbits.
     "o = s.orbit([1, 2, 3], 0.01, 10, every=10); o.every = 10**11; o.gradient(o.x)",
     "o = s.orbit([1, 2, 3], 0.01, 2*10**8, every=10**8); o.gradient(o.x)",
-    # Steps of these numbers take seconds each.
+    # Steps with long numbers take seconds each.
     "lorenz.orbit([1, 2, 3], '1/70', 30, scalar='exact')",
     "lorenz.heights([1, 2, 3], '1/70', 30, digits=10**9, seconds=1000)",
     "while True: s.step(many, 0.01)",
@@ -43,7 +43,7 @@ LONG = [
     "while True: relation.solve(np.random.default_rng(1).random((300_000, 4, 2)))",
     f"kahan.Lattice('{RING}', 1000, 0.01).advance(np.ones(1000), 10**9)",
     f"kahan.Lattice('{RING}', 1000, 0.01).orbit(np.ones(1000), 10**9, every=10**6)",
-    # A field with a claim, which is proved.
+    # The field has a claim, which is proved.
     f"while True: kahan.System('{RING} integral S = sum(x[i]);', sites=3)",
 ]
 
@@ -63,7 +63,7 @@ def test_long_work_ends(work):
     code = f"{BEGIN}\n{work}\nprint('ended')"
     process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "begun\n", process.stderr.read()
-    # Whether the work ends by itself is not waited for.
+    # The test does not wait for the work to end by itself.
     with pytest.raises(subprocess.TimeoutExpired):
         process.wait(timeout=1)
     process.send_signal(signal.SIGINT)

@@ -101,7 +101,7 @@ def test_exponents_are_those_of_the_variables_of_arrays():
     eps, driven = 0.02, kahan.System("x' = y, y' = x - x^3 - y/4 + 3/10*cos(t)", lift=True)
     e = driven.ensemble([[1, 0], [0.5, 0]], eps, 5000, observe=("spectrum", "lyapunov", "log_det"))
     assert e["spectrum"].shape == (2, 2) and len(driven.observe([1, 0], eps, 5000).spectrum) == 2
-    # The divergence of the field as it was written, to the order of the map.
+    # The sum of the exponents is the divergence of the original field, up to the order of the map.
     np.testing.assert_allclose(e["spectrum"].sum(axis=1), -0.25, atol=5 * eps**2)
     np.testing.assert_allclose(e["mean_log_det"], -0.25, atol=5 * eps**2)
 

@@ -46,7 +46,7 @@ def test_a_model_has_the_solution_of_libroadrunner(name, tmp_path):
     assert s.variables == tuple(wanted["names"])
     np.testing.assert_allclose([float(value) for value in s.start], points[0], rtol=1e-15)
     assert np.abs((solved(s, wanted["time"], 1280) - points) / scale).max() < 1e-8
-    # Its text is a model, too.
+    # The text of a field is a model, too.
     (tmp_path / "saved.kahan").write_text(s.source)
     saved = kahan.read(tmp_path / "saved.kahan")
     assert (saved.text, saved.start, saved.parameters) == (s.text, s.start, s.parameters)

@@ -65,7 +65,7 @@ def test_what_is_no_field_is_an_error():
     controlled = Model([[0.0, 1.0], [1.0, 0.0]], ["x0", "x1 u0"], ["x0", "x1", "u0"])
     with pytest.raises(ValueError, match="control input u0"):
         kahan.from_sindy(controlled)
-    # An input that nothing depends on is none.
+    # An unused input is ignored.
     controlled = Model([[0.0, 0.0], [1.0, 0.0]], ["x0", "x1 u0"], ["x0", "x1", "u0"])
     assert kahan.from_sindy(controlled).text == "x0dot = 0;\nx1dot = x0;"
     with pytest.raises(ValueError, match=r"shape \(2, 2\); with 10 terms"):

@@ -22,7 +22,7 @@ def right(x, y):
     [sympy.Eq(X.diff(t), right(X, Y)[0]), sympy.Eq(Y.diff(t), right(X, Y)[1])],
     (sympy.Eq(X.diff(t), right(X, Y)[0]), sympy.Eq(Y.diff(t), right(X, Y)[1])),
     [sympy.Eq(sympy.Matrix([X, Y]).diff(t), sympy.Matrix(right(X, Y)))],
-    # Solved for the derivatives first.
+    # These equations must be solved for the derivatives.
     [sympy.Eq(2 * X.diff(t) + Y.diff(t), 2 * right(X, Y)[0] + right(X, Y)[1]), sympy.Eq(Y.diff(t), right(X, Y)[1])],
     ([x, y], list(right(x, y))),
     ((x, y), sympy.Matrix(right(x, y))),

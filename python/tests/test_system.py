@@ -65,7 +65,7 @@ def test_formulas_are_functions_of_points():
     assert (H(*at), rho(*at), s.det_A(*at)) == (found.integrals["H1"], found.density, found.det_A)
     assert (P(*at) == found.brackets["P1"]).all() and (s.jacobian(*at) == found.jacobian).all()
     assert str(P["x", "x"]) == "0" and P["y", "x"](*at) == -P["x", "y"](*at)
-    # An eps or a parameter a point.
+    # Each point may have its own eps, or its own parameter.
     free = kahan.System("xdot = y; ydot = 6*x^2 - a;")
     assert (free.map(orbit.x, np.full(101, 0.05), a=np.ones(101)) == s.map(orbit.x, 0.05)).all()
     with pytest.raises(TypeError, match="depends on a: add a=…"):
@@ -83,7 +83,7 @@ def test_formulas_are_functions_of_points():
         H([1, 2, 3], 0.05)
     with pytest.raises(KeyError, match="no variable `z`"):
         P["x", "z"]
-    # Claims may name constants and the claims above them; a name may be one of Python's keywords.
+    # Claims may use constants and earlier claims. Names may be keywords of Python.
     t = kahan.System("const k = 1/2; xdot = lambda; lambdadot = -k*x; integral H = 0.25*x^2 + lambda^2/2; integral K = H^2 + k*H^-1;")
     assert t.integrals["K"](["1", 2]) == Fraction(9, 4) ** 2 + Fraction(1, 2) / Fraction(9, 4)
 
@@ -180,7 +180,7 @@ def test_bases_are_functions_of_orbits():
         exact = s.orbit([1, "1/2", "1/3", "2/3", "3/4", 1], "1/5", basis.points + 2, scalar="exact")
         constants, _ = basis.coefficients(exact.x)
         assert len(constants) == 4 and all((row == constants[0]).all() for row in constants)
-        # The relation holds: on every row the monomials cancel.
+        # The monomials satisfy the relation on every row.
         assert not (basis.monomial_values(exact.x) @ constants[0]).any()
         x = exact.x.astype(float)
         near, condition = basis.coefficients(x)
@@ -252,7 +252,7 @@ def test_a_time_step_is_twice_eps():
     s, x = kahan.catalog.e6, [0.4, -0.3, 0.2]
     assert np.array_equal(s.step(x, dt=0.1), s.step(x, 0.05))
     assert np.array_equal(s.try_step(x, dt="1/10"), s.try_step(x, "1/20"))
-    # Half of a decimal is taken exactly: 0.3 / 2 is 3/20.
+    # The half of a decimal is exact: 0.3 / 2 is 3/20.
     assert s.orbit([1, 2, 3], dt=0.3, steps=2, scalar="exact").eps == Fraction(3, 20)
     assert np.array_equal(s.orbit(x, dt=0.1, steps=9).x, s.orbit(x, 0.05, 9).x)
     points, steps = np.array([x, x]), np.array([0.1, 0.2])

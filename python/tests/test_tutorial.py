@@ -21,7 +21,7 @@ def test_every_cell_runs(monkeypatch):
     names = {}
     for number, code in enumerate(CODE):
         exec(compile(code, f"code cell {number} of tutorial.ipynb", "exec"), names)
-    # SciPy is compared with, where it is, and not needed.
+    # Without SciPy the comparison is left out.
     monkeypatch.setitem(sys.modules, "scipy.integrate", None)
     (compared,) = [code for code in CODE if "scipy" in code]
     exec(compared, names)

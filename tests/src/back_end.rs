@@ -1,7 +1,5 @@
-//! A common trait of two back ends, generated code and the run-time interpreter, so that one test
-//! suite runs on both. The input is a system at given parameters, points and ε (half the time step)
-//! as exact numbers. The output is every object of the method as a plain vector, or `None` where
-//! the map or a claim is undefined.
+//! A trait for generated code and for the run-time interpreter, so that one test suite runs on
+//! both. All numbers are exact. An object is `None` where the map or a claim is undefined.
 
 mod generated;
 mod interpreter;
@@ -21,8 +19,7 @@ pub trait BackEnd {
     fn field_jacobian(&self, x: &[Q]) -> Matrix;
     /// Returns Q(x,y), the symmetric bilinear form of the field's quadratic part.
     fn bilinear(&self, x: &[Q], y: &[Q]) -> Vector;
-    /// Returns the polarised field Q(x,y) + ½B(x+y) + c, where Q, B and c are the quadratic, linear
-    /// and constant part of the field.
+    /// Returns the polarised field, which is symmetric in x and y and equals f(x) for y = x.
     fn polarized(&self, x: &[Q], y: &[Q]) -> Vector;
     /// Returns the matrix A(x,ε) of the equation A(x,ε)x̃ = b(x,ε).
     fn matrix(&self, x: &[Q], eps: &Q) -> Matrix;
@@ -38,10 +35,9 @@ pub trait BackEnd {
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q;
     /// Returns the determinant of ∂x̃/∂x; `None` at a pole.
     fn det_jacobian(&self, x: &[Q], eps: &Q) -> Option<Q>;
-    /// Returns (N, D) = (adj A·b, det A), with x̃ = N/D wherever D ≠ 0.
+    /// Returns the numerators adj(A)·b and the denominator det A of the next point.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q);
-    /// Returns the points x₀, x₁, … x_steps, up to the point before a pole, and whether a pole
-    /// ended the orbit.
+    /// Returns the points of an orbit before a pole, and whether a pole ended the orbit.
     fn orbit(&self, x: &[Q], eps: &Q, steps: usize) -> (Vec<Vector>, bool);
     /// Returns the integrals without a condition, in order. `None` where one of them is undefined.
     fn integrals(&self, x: &[Q], eps: &Q) -> Option<Vector>;

@@ -1,6 +1,4 @@
 //! Exact numbers for tests: rational numbers, vectors, matrices, and seeded random numbers.
-//! Determinants use Laplace's expansion, which is slow but independent of the eliminations under
-//! test.
 
 use kahan_algebra::prime_field::SplitMix64;
 use num_bigint::BigInt;
@@ -95,8 +93,7 @@ pub fn determinant(m: &[Vec<Q>]) -> Q {
     total
 }
 
-/// Returns adj(M) b. Entry i is the determinant of M with column i replaced by b, as in Cramer's
-/// rule without the division.
+/// Returns adj(M)·b by Cramer's rule without the division.
 #[must_use]
 pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
     let replaced = |column: usize| -> Matrix {
@@ -110,8 +107,7 @@ pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
     (0..m.len()).map(|column| determinant(&replaced(column))).collect()
 }
 
-/// Seeded random fractions p/d with |p| ≤ 9 and 1 ≤ d ≤ 4. Small denominators keep exact arithmetic
-/// cheap.
+/// Seeded random fractions p/d with |p| ≤ 9 and 1 ≤ d ≤ 4.
 #[derive(Clone, Debug)]
 pub struct Rationals {
     random: SplitMix64,

@@ -1,8 +1,4 @@
 //! Reads formulas of the paper from text, and evaluates them or compares them as polynomials.
-//!
-//! The input consists of names and a formula in the language of claims, which may contain `eps` and
-//! divisors. The output is the value at exact numbers, or a normal form. The formula is parsed as a
-//! claim of a block whose states are the names; nothing is proved.
 
 use kahan_algebra::arithmetic::{Exact, Function, Functions};
 use kahan_algebra::lexer::lex;
@@ -13,14 +9,13 @@ use kahan_algebra::system::System;
 
 use crate::exact::{Q, q};
 
-/// A formula in some names and `eps`. Variable k is the k-th name, and ε follows the names.
+/// A formula in some names and `eps`.
 #[derive(Clone, Debug)]
 pub struct Expression {
     plan: Plan,
 }
 
-/// Reads and checks a block without proving its claims. If there are mistakes, panics and shows
-/// them.
+/// Reads a block without proving its claims. Panics if the block has mistakes.
 #[must_use]
 pub fn read_unproved(text: &str) -> System {
     let system = kahan_algebra::read_unproved(&lex(text).tokens).system();

@@ -1,5 +1,4 @@
-//! Modules that tests share: exact numbers, back ends, reference files, random fields, and rounding
-//! bounds.
+//! Modules that tests share: exact numbers, back ends, random fields, and rounding bounds.
 
 pub mod back_end;
 pub mod doubles;

@@ -1,8 +1,7 @@
 //! Generated maps behind traits, over any scalar and in any dimension.
 //!
-//! [`Steps`] and [`Map`] cover the catalog and the random fields. The order and the parameters are
-//! those of `subject::paper`, `subject::further` and `subject::random`. Tests over these traits are
-//! compiled once instead of once for each system.
+//! Tests over [`Steps`] and [`Map`] are compiled once instead of once for each system. The order of
+//! the maps is that of `subject::paper`, `subject::further` and `subject::random`.
 
 use kahan_core::prelude::*;
 use kahan_core::{Constant, ExtendScalars, KahanAt, Orbit, SingularStep};
@@ -30,8 +29,7 @@ pub trait Map<T>: Steps<T> {
     fn field_jacobian(&self, x: &[T]) -> Rows<T>;
     /// Returns Q(x,y), the symmetric bilinear form of the field's quadratic part.
     fn bilinear(&self, x: &[T], y: &[T]) -> Vec<T>;
-    /// Returns the polarised field Q(x,y) + ½B(x+y) + c, where Q, B and c are the quadratic, linear
-    /// and constant part of the field.
+    /// Returns the polarised field, which is symmetric in x and y and equals f(x) for y = x.
     fn polarized(&self, x: &[T], y: &[T]) -> Vec<T>;
     /// Returns the matrix A(x,ε) of the equation A(x,ε)x̃ = b(x,ε).
     fn matrix(&self, x: &[T], eps: T) -> Rows<T>;
@@ -45,7 +43,7 @@ pub trait Map<T>: Steps<T> {
     fn det_matrix(&self, x: &[T], eps: T) -> T;
     /// Returns the determinant of ∂x̃/∂x.
     fn det_jacobian(&self, x: &[T], eps: T) -> T;
-    /// Returns (N, D) = (adj A·b, det A), with x̃ = N/D wherever D ≠ 0.
+    /// Returns the numerators adj(A)·b and the denominator det A of the next point.
     fn rational_map(&self, x: &[T], eps: T) -> (Vec<T>, T);
     /// Returns (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`.
     fn push_forward(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>>;
@@ -272,8 +270,7 @@ pub fn paper_and_random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
     paper().into_iter().chain(random_in_floats()).collect()
 }
 
-/// Returns the points x₁, …, x_steps in four ways: by `step`, by the prepared map, by its orbit,
-/// and by the map's orbit.
+/// Returns an orbit in four ways: by steps and by orbits, of the map and of the prepared map.
 pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4] {
     let prepared = map.at(eps);
     let by = |step: &dyn Fn(&[T]) -> Vec<T>| {

@@ -1,6 +1,5 @@
-//! Reads the reference files, which contain exact values of every object, orbits, and points with
-//! det A = 0. The script `data/generate.py` writes and describes `data/SYSTEM.json`. A value that
-//! is undefined at a point is `None`.
+//! Reads the reference files `data/SYSTEM.json`, which `data/generate.py` writes and describes. A
+//! value that is undefined at a point is `None`.
 
 use serde_json::Value;
 

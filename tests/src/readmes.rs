@@ -1,5 +1,4 @@
-//! Runs the examples of the READMEs and of `docs/` as tests. A packed crate lacks the repository's
-//! README, and the other crates that its own README uses; so the tests are here.
+//! Runs the examples of the READMEs and of `docs/` as tests.
 
 #[doc = include_str!("../../README.md")]
 struct Repository;

@@ -1,11 +1,7 @@
-//! Bounds the error of a float step, with or without fused multiply-adds. The bounds are derived
-//! from the operations of the step's code.
+//! Bounds the error of a float step, with or without fused multiply-adds.
 //!
-//! The input is a system, a point exact in the float type, and the unit roundoff u. The output is a
-//! bound on |x̂̃ − x̃| for each component of the computed step x̂̃. Let γ_k = k·u/(1 − k·u). A
-//! product of k factors (1 + δ), |δ| ≤ u, or of their reciprocals, is 1 + θ with |θ| ≤ γ_k (Higham,
-//! Accuracy and Stability of Numerical Algorithms, Lemma 3.1). Callers must avoid underflow. The
-//! bound is computed in f64 from positive terms; a final factor covers its own rounding errors.
+//! The bounds are derived from the operations of the step's code (Higham, Accuracy and Stability of
+//! Numerical Algorithms, Lemma 3.1). Callers must avoid underflow.
 
 mod running_bound;
 
@@ -48,8 +44,7 @@ pub struct Place {
     pub next: Vector,
 }
 
-/// Error bounds for float steps. The steps use the closed form or elimination, as in the macro's
-/// code.
+/// Error bounds for float steps, which use the closed form or elimination.
 #[derive(Debug)]
 pub struct StepBound<'a> {
     field: &'a Field,
@@ -74,7 +69,7 @@ impl<'a> StepBound<'a> {
             Some(step) => closed_form(step, place, &values, self.unit)?,
             None => elimination(self.field, place, &values, self.unit)?,
         };
-        // The step is x̃ = fl(x + increment), which is (1 + δ)(x + increment + error) with |δ| ≤ u.
+        // Adding the increment to x rounds once more.
         let bound = |(error, next): (f64, &Q)| {
             INFLATION * (error * (1.0 + self.unit) + self.unit * float(next).abs())
         };
@@ -93,8 +88,7 @@ fn exact(values: &[Q], variable: Variable) -> Rational {
     values[usize::from(variable.0)].clone().into()
 }
 
-/// Bounds the errors of the products numerator · reciprocal, including those of prepared constants.
-/// Panics if the exact results of the operations differ from x̃.
+/// Bounds the error of a step in closed form. Panics if exact results differ from the exact step.
 fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let input = |variable| exact(values, variable);
     let constants = running_bound::results(&step.constants, &[], unit, input);
@@ -113,13 +107,10 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
 
 /// Bounds the error of 2ε·v, where v = A⁻¹f is computed by elimination with partial pivoting.
 ///
-/// Elimination solves (Â + ΔA)v̂ = f̂ with |ΔA| ≤ γ_{3n}|L̂||Û| (Higham, Theorem 9.4). Here
-/// multipliers and back substitution use rounded reciprocals with one more rounding each, hence
-/// γ_{3n+2}. Partial pivoting has |L̂| ≤ 1 (at most 1 + 2u after rounding, covered by a factor 2
-/// below) and |Û| ≤ 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most n²·2ⁿ·max|Â|. Entries of f′
-/// and f are quotients of computed polynomials, rounded once; A has two more roundings, of the
-/// product with ε and of 1 − εf′. Let E be the sum of both matrix errors. In maximum norms: ‖v̂ −
-/// v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖).
+/// Let L and U be the computed factors of A, n their size, and γ_k = ku/(1 − ku). Elimination with
+/// rounded reciprocals has the effect of a change of A by at most γ_{3n+2}|L||U| (Higham, Theorem
+/// 9.4). Each row of |L||U| sums to at most n²·2ⁿ·max|A|. If E is the total change of A, and d the
+/// error of f, the error of v is at most ‖A⁻¹‖(‖E‖‖v‖ + ‖d‖)/(1 − ‖A⁻¹‖‖E‖) in the maximum norm.
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
     let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {

@@ -9,12 +9,8 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace")
 }
 
-/// Returns the Rust files below a folder. A folder inside it is searched if `enter` accepts its
-/// name.
-///
-/// # Panics
-///
-/// Panics if a folder cannot be read.
+/// Returns the Rust files below a folder, also in subfolders whose names `enter` accepts. Panics if
+/// a folder cannot be read.
 #[must_use]
 pub fn rust_files(folder: &Path, enter: fn(&str) -> bool) -> Vec<PathBuf> {
     let mut found = Vec::new();

@@ -1,8 +1,4 @@
-//! Systems at parameter values, in both back ends. The test suites run on these.
-//!
-//! [`Subject`]s are the systems of the catalog and the random fields. The parameters are those of a
-//! test, or of the system's entry in the catalog. [`on_every_back_end`] checks a law at seeded
-//! points of all subjects.
+//! Systems at parameter values, in both back ends. The test suites run on these systems.
 
 use std::sync::LazyLock;
 
@@ -63,8 +59,7 @@ static CATALOG: LazyLock<Vec<Read>> = LazyLock::new(|| all().map(|entry| read(en
 static RANDOM: LazyLock<Vec<Read>> =
     LazyLock::new(|| in_order().iter().map(|field| Read::new(read_unproved(&field.block()))).collect());
 
-/// Returns a catalog system by its name in commands, at these parameters. Panics if there is no
-/// such system, or if the number of parameters is wrong.
+/// Returns a catalog system. Panics for an unknown system or a wrong number of parameters.
 #[must_use]
 pub fn catalog(command: &str, parameters: &[Q]) -> Subject {
     let place = all().position(|entry| entry.command == command);
@@ -89,8 +84,7 @@ pub fn further() -> Vec<Subject> {
     FURTHER.iter().map(at_its_parameters).collect()
 }
 
-/// Returns the random fields at their parameters. The fields that are also compiled over floats
-/// come first.
+/// Returns the random fields at their parameters, first those that are compiled over floats.
 #[must_use]
 pub fn random() -> Vec<Subject> {
     let (fields, maps) = (in_order(), maps::random());
@@ -122,8 +116,8 @@ fn at_points(subject: &Subject, seed: u64, law: &impl Fn(&Subject, &[Q], &Q, &mu
     panic!("{} has too few points off det A = 0", subject.name);
 }
 
-/// Checks a law on every catalog system and every random field, at seeded points with det A ≠ 0.
-/// Panics if too few points remain. If the law panics, a line before the panic names the point.
+/// Checks a law on every catalog system and random field, at seeded points with det A ≠ 0. Panics
+/// if too few points remain.
 pub fn on_every_subject(seed: u64, law: impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     let subjects = [paper(), random(), further()].into_iter().flatten();
     for (index, subject) in (seed * 1000..).zip(subjects) {

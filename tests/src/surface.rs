@@ -4,8 +4,7 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// Returns (a, b) such that the polynomial is a + b·`free` at these values. `None` if it is not
-/// linear in `free`.
+/// Returns (a, b) if the polynomial is a + b·`free` at these values; `None` if it is not linear.
 fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<(Rational, Rational)> {
     let mut line = (Rational::zero(), Rational::zero());
     for (monomial, coefficient) in polynomial.terms() {
@@ -26,9 +25,8 @@ fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<
     Some(line)
 }
 
-/// Changes one state so that the polynomial vanishes, given values of states, parameters and ε.
-/// Uses a state in which the polynomial is linear with a nonzero coefficient; `None` without such
-/// a state.
+/// Changes one state so that the polynomial vanishes. Returns `None` if the polynomial is linear in
+/// no state.
 #[must_use]
 pub fn moved_onto(
     polynomial: &Polynomial,

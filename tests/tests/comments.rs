@@ -17,7 +17,6 @@ const OPENINGS: [&str; 14] = [
 const WIDTH: usize = 100;
 
 /// The greatest number of lines before the first section, table or example of a module's head.
-/// Blank lines are not counted. A crate's root may explain the crate at length.
 const HEAD: usize = 8;
 
 /// Returns false for folders with builds, the code of others, or generated code.

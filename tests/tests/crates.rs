@@ -1,5 +1,4 @@
-//! Compares the dependencies and builds of the crates with the table in ARCHITECTURE.md, and with
-//! budgets.
+//! Compares the dependencies and builds of the crates with ARCHITECTURE.md, and with budgets.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,8 +9,7 @@ use std::{env, fs};
 use kahan_tests::sources::root;
 use serde_json::Value;
 
-/// Dependencies that are reserved for the command and for drawing, each with the crates that may
-/// use it.
+/// Dependencies that only some crates may use, with these crates.
 const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
     ("clap", &["kahan-cli"]),
     ("indicatif", &["kahan-cli"]),
@@ -26,12 +24,10 @@ const CATALOG_TREE: usize = 45;
 /// The largest number of compilation units that the README's first command may compile.
 const FIRST_UNITS: usize = 60;
 
-/// The packages that must be compiled identically for the README's first command, for the command
-/// `kahan`, and for the Python wheel.
+/// The packages that all programs and the Python wheel must compile identically.
 const SHARED: [&str; 4] = ["kahan-core", "kahan-runtime", "kahan-systems", "kahan-paper"];
 
-/// The prefixes of crates whose speed is measured: by `kahan trade`, by sweeps of settings, and by
-/// the benchmarks (final prefix).
+/// The prefixes of crates whose speed is measured.
 const TIMED: [&str; 6] =
     ["kahan-core", "kahan-dynamics", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
 
@@ -115,8 +111,7 @@ fn the_catalog_is_a_light_dependency() {
     }
 }
 
-/// Returns the crates that have an optimisation level in the profiles `release` and `sweep`, with
-/// the level.
+/// Returns the crates with an optimisation level in the profiles `release` and `sweep`.
 fn levels(manifest: &str) -> Vec<(String, String)> {
     let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
     let mut section = "";
@@ -142,8 +137,7 @@ fn not_optimised(manifest: &str) -> Vec<String> {
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
 }
 
-/// Dependencies of the macro need an explicit optimisation level. Otherwise cargo compiles them
-/// unoptimised for the macro, and again for the command. The algebra takes a sixth of a cold build.
+/// Without an explicit level, cargo compiles dependencies of the macro again for the command.
 #[test]
 fn what_the_macro_and_the_command_share_is_compiled_once() {
     let named = levels("Cargo.toml");
@@ -180,8 +174,7 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let output = Command::new(env!("CARGO"))
         .args(call)
         .args(["--locked", "--unit-graph", "-Z", "unstable-options"])
-        // Cargo prints the graph of compilation units as an unstable feature, which this toolchain
-        // provides.
+        // The graph of compilation units is an unstable feature of cargo.
         .env("RUSTC_BOOTSTRAP", "1")
         .current_dir(root())
         .output()
@@ -200,8 +193,7 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     (0..units.len()).map(|index| (name(&units[index]), hash(units, index, &mut known))).collect()
 }
 
-/// Cargo compiles a crate again for each set of features, so all programs must request the same
-/// features. `crates/kahan-cli/Cargo.toml` lists the features that no crate of the workspace needs.
+/// Cargo compiles a crate again for each set of features, so all programs need equal features.
 #[test]
 fn what_programs_and_the_wheel_share_is_compiled_once() {
     // `cargo run --release` builds one program, and resolves features over the default members.

@@ -1,6 +1,4 @@
-//! Tests that the modules of a crate's `src`, and of the algebra's `plan`, are layers: each uses
-//! only earlier modules. The test collects all paths that leave a file: `crate::…` with its braces,
-//! and `super::…`. Names that the root exports are resolved through `lib.rs`. Test modules are
+//! Tests that the modules of a crate are layers: each uses only earlier modules. Test modules are
 //! exempt.
 
 use std::collections::BTreeMap;
@@ -15,8 +13,7 @@ struct Layered {
     name: &'static str,
     /// The module, with names of its root file that all layers may use. `None` for a crate.
     module: Option<(&'static str, &'static [&'static str])>,
-    /// The names of the layers from bottom to top. Files that are not listed may use all layers,
-    /// and no layer uses them.
+    /// The names of the layers from bottom to top. No layer may use the other files.
     layers: &'static [&'static str],
 }
 
@@ -165,8 +162,7 @@ impl Layered {
         found
     }
 
-    /// Returns the modules that a file's paths lead to, relative to the root or the module. Paths
-    /// that leave a module are checked with its crate.
+    /// Returns the modules that a file's paths lead to, relative to the root or the module.
     fn needs(&self, file: &Path, text: &str) -> Vec<Vec<String>> {
         let module = file.strip_prefix(self.source()).expect("a file of the crate").with_extension("");
         let outer = self.module.map(|(module, _)| module);

@@ -1,8 +1,6 @@
 //! Reads the page's questions, and answers them.
 //!
-//! The page needs only some of the questions of `kahan-study`; the others would double the size of
-//! the module. Therefore the questions are read and asked one by one by name, and not as a
-//! `Question`, which would contain them all.
+//! Questions are read by name, because the enum `Question` would double the size of the module.
 
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
@@ -18,25 +16,21 @@ use crate::plane::{Plane, plane};
 use crate::scene::scene;
 use crate::shown::{self, formulas, part};
 
-/// Answers questions. Keeps the field of the last question, with everything that was planned for
-/// it.
+/// Answers questions, and caches the field of the last question.
 #[derive(Default)]
 pub struct Asker {
     last: Option<(Value, Study)>,
-    /// The ε of the last orbit of Kahan's map, and the study with the integrals that are claimed at
-    /// this ε.
+    /// The last ε, and the study with the integrals that are claimed at this ε.
     at_step: Option<(Rational, Study)>,
 }
 
 /// An answer for the page, as JSON and as numbers.
 #[derive(Debug, Default)]
 pub struct Answered {
-    /// The answer, `{"answer": …, "html": …, "parameters": […], "values": {…}, "lifted": …}`, or a
-    /// mistake, `{"mistake": …, "lifts": …}`. A mistake says in words what was wrong, and whether a
-    /// lift can read the equations.
+    /// The answer, `{"answer": …, "html": …, "parameters": […], "values": {…}, "lifted": …}`, or
+    /// the mistake, `{"mistake": …, "lifts": …}`.
     pub json: String,
-    /// For an orbit, its rows, column by column. For relations, their errors, one relation after
-    /// the other.
+    /// The columns of an orbit, or the errors of relations, one after the other.
     pub columns: Vec<f64>,
 }
 
@@ -45,9 +39,8 @@ pub struct Answered {
 struct Reply {
     answer: Value,
     html: Option<String>,
-    /// The parameters of the subject.
     parameters: Vec<String>,
-    /// The parameters that have values, with these values.
+    /// The known values of parameters.
     values: Map<String, Value>,
     /// For a lifted field, `{"html": …, "coordinates": […], "relations": […], "warning": …}`;
     /// otherwise null.
@@ -55,7 +48,6 @@ struct Reply {
     columns: Vec<f64>,
 }
 
-/// The mistake in words.
 struct Mistake {
     said: String,
     /// Whether the equations are not quadratic, but a lift can read them.
@@ -68,7 +60,7 @@ impl<E: ToString> From<E> for Mistake {
     }
 }
 
-/// The number of equal parts of an orbit. For each part, the largest error of a relation is shown.
+/// The number of parts of an orbit for which the largest errors are shown.
 const PARTS: usize = 480;
 
 impl Reply {
@@ -79,11 +71,10 @@ impl Reply {
 }
 
 impl Asker {
-    /// Answers a question in a text: `{"subject": …, "question": {"ask": …}}`. Without a subject,
-    /// the page asks for `list`, the catalog, or for `style`, the style sheet of the page. Besides
-    /// the questions of `kahan-study` there are three more: `scene`, with which a picture begins;
-    /// `plane`, the field in a plane and its equilibria; and `relations`, the errors of a lift's
-    /// relations along an orbit.
+    /// Answers a question in a text: `{"subject": …, "question": {"ask": …}}`.
+    ///
+    /// Besides questions of `kahan-study`, the page asks `list`, `style`, `scene`, `plane` and
+    /// `relations`.
     pub fn ask(&mut self, text: &str, watch: &dyn Watch) -> Answered {
         match self.reply(text, watch) {
             Ok(Reply { answer, html, parameters, values, lifted, columns }) => {
@@ -134,7 +125,7 @@ impl Asker {
         })
     }
 
-    /// Returns the study of a subject. If the subject did not change, it is the last study.
+    /// Returns the study of a subject. An unchanged subject gives the last study.
     fn study(&mut self, subject: Value) -> Result<&Study, Mistake> {
         if self.last.as_ref().is_none_or(|(last, _)| *last != subject) {
             let read: Subject = read(subject.clone())?;
@@ -147,8 +138,7 @@ impl Asker {
         Ok(&self.last.as_ref().expect("it was put there").1)
     }
 
-    /// Returns the last study with the integrals that an orbit preserves. Orbits of one map share
-    /// this study.
+    /// Returns the last study with the integrals that an orbit preserves.
     fn study_of_orbit(&mut self, asked: &Orbit) -> Result<Study, StudyError> {
         let (_, study) = self.last.as_ref().expect("a subject was read");
         if !asked.is_of_the_map() {
@@ -165,8 +155,7 @@ fn read<T: DeserializeOwned>(value: Value) -> Result<T, serde_json::Error> {
     serde_json::from_value(value)
 }
 
-/// Returns a block as a user would write it: without its header, and without comments for readers
-/// of the source.
+/// Returns a block as a user would write it, without header and documentation.
 fn written(block: &str) -> String {
     let lines = block.lines().map(|line| line.strip_prefix("    ").unwrap_or(line));
     let lines = lines.filter(|line| !line.trim_start().starts_with("///"));
@@ -180,8 +169,7 @@ fn equations(text: &str) -> &str {
     &text[..ends.unwrap_or(text.len())]
 }
 
-/// Returns the systems of the catalog with their texts, and with values of their parameters that
-/// give typical pictures.
+/// Returns the systems of the catalog, with parameter values that give typical pictures.
 fn catalog() -> Result<Reply, StudyError> {
     let listed = list(&Systems)?;
     let systems = listed.systems.iter().zip(registry::all()).map(|(system, entry)| {
@@ -234,8 +222,7 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
     Ok(Reply { answer, columns, ..Reply::default() })
 }
 
-/// Returns the errors of the relations along an orbit of Kahan's map, in equal parts of the orbit.
-/// Parts that the orbit does not reach have no errors.
+/// Returns the largest errors of the relations in equal parts of an orbit.
 fn relations(study: &Study, asked: &Orbit) -> Result<Reply, StudyError> {
     let seen = study.relation_errors(&asked.at, &asked.eps, asked.steps, PARTS)?;
     let padded = |errors: &Vec<f64>| {

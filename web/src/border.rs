@@ -1,10 +1,7 @@
-//! The functions that the page's worker calls, and the functions that the worker provides: a clock,
-//! and receivers of progress and findings.
+//! The functions that the page's worker calls, and the functions that the worker provides.
 //!
-//! A question is a text. The worker asks for memory by `room`, writes the text there, and calls
-//! `ask`. It then reads the answer at `answer` and the columns at `columns`, each with its length.
-//! Pointers from earlier calls are no longer valid then. Only the exported names need `unsafe`; the
-//! libraries below export none.
+//! The worker writes a question to the memory of `room`, calls `ask`, and reads `answer` and
+//! `columns`. A later call makes these pointers invalid.
 #![allow(unsafe_code)]
 
 use std::cell::RefCell;
@@ -16,9 +13,8 @@ use serde_json::json;
 
 use crate::ask::{Answered, Asker};
 
-// SAFETY: the worker provides functions with these signatures. The functions only read `length`
-// bytes from `text` on. These bytes do not change during the call. The functions do not touch other
-// memory of this module.
+// SAFETY: the worker provides functions with these signatures. During a call, they read the
+// `length` bytes at `text`, and touch no other memory of this module.
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
     /// Returns the milliseconds since the worker began.
@@ -29,7 +25,7 @@ unsafe extern "C" {
     safe fn found(text: *const u8, length: usize);
 }
 
-/// The page's worker as a watch.
+/// The page's worker as a receiver of progress.
 struct Page;
 
 impl Watch for Page {
@@ -87,13 +83,11 @@ extern "C" fn ask() -> usize {
     })
 }
 
-/// Returns the address of the answer.
 #[unsafe(no_mangle)]
 extern "C" fn answer() -> *const u8 {
     STATE.with_borrow(|state| state.answered.json.as_ptr())
 }
 
-/// Returns the address of the columns.
 #[unsafe(no_mangle)]
 extern "C" fn columns() -> *const f64 {
     STATE.with_borrow(|state| state.answered.columns.as_ptr())

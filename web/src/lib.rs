@@ -1,10 +1,7 @@
-//! The interface between a browser's tab and the project's libraries; both sides exchange JSON.
+//! The interface between a browser's tab and the project's libraries.
 //!
-//! In: a subject and a question of `kahan-study`, as JSON. Out: the answer as JSON, with HTML if
-//! `kahan-draw` can show it. For an orbit also the columns as floats, since text of a hundred
-//! thousand points would be slow. [`Asker`] answers. `border` has the functions that the page's
-//! worker calls, and is the only file with `unsafe`. This crate must not know mathematics, nor the
-//! look of the page.
+//! [`Asker`] answers the page's questions in JSON and HTML. Columns of orbits are floats, because
+//! text would be slow.
 
 mod ask;
 mod plane;

@@ -1,5 +1,4 @@
-//! Computes the field in a plane of two variables, for arrows and nullclines; the integrals of the
-//! map in this plane; and the equilibria of the field with their eigenvalues.
+//! Computes the field in a plane, the integrals of the map there, and the equilibria.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Orbit, Study, StudyError};
@@ -18,14 +17,12 @@ pub(crate) struct Plane {
     window: [[f64; 2]; 2],
     /// The number of points in each direction.
     points: [usize; 2],
-    /// An orbit whose preserved integrals are wanted; `None` if none are wanted.
+    /// The orbit whose preserved integrals are computed; `None` if no integrals are wanted.
     pub(crate) orbit: Option<Orbit>,
 }
 
-/// Returns columns and equilibria. The columns hold both components of f, and each integral, at all
-/// points, row by row from the lowest. Equilibria are `{"equilibria": [{"at": […], "eigenvalues":
-/// [[re, im], …]}, …]}`. At a point where a function of a lift is undefined, the field is
-/// undefined, too.
+/// Returns the equilibria as JSON, and columns with the field and each integral at all points. The
+/// points are in rows, the lowest row first.
 pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), StudyError> {
     let map = study.map()?.at(0.0);
     let parameters: Vec<f64> = study.values()?.iter().map(Rational::to_f64).collect();
@@ -58,8 +55,7 @@ pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), S
         }
     }
     let mut equilibria: Vec<Equilibrium> = Vec::new();
-    // A lifted field has equilibria off its relations; these are not equilibria of the original
-    // equations.
+    // A lifted field may have further equilibria, at which its relations do not hold.
     if study.lift().is_none_or(|lift| lift.order() == 0 && !lift.has_time) {
         let step = |x: &[f64]| {
             let (mut value, mut derivative) = (vec![0.0; count], vec![0.0; count * count]);
@@ -88,13 +84,12 @@ const STEPS: usize = 60;
 
 struct Equilibrium {
     at: Vec<f64>,
-    /// The real and imaginary parts of the eigenvalues of f′.
+    /// The real and imaginary parts of the eigenvalues of the Jacobian.
     eigenvalues: Vec<[f64; 2]>,
 }
 
 impl Equilibrium {
-    /// Returns the equilibrium that Newton's method finds from a point; `None` if f′ is singular on
-    /// the way, or if the method does not converge.
+    /// Returns the equilibrium to which Newton's method converges from a point.
     fn near(start: Vec<f64>, step: &impl Fn(&[f64]) -> (DVector<f64>, DMatrix<f64>)) -> Option<Self> {
         let mut x = DVector::from_vec(start);
         for _ in 0..STEPS {

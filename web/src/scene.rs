@@ -1,5 +1,4 @@
-//! Chooses the initial picture of a field: ε, values of parameters that have none, first points
-//! whose orbits stay bounded, and the two variables in which most orbits are wide.
+//! Chooses the initial picture of a field: ε, parameters, first points, and two variables.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{ShownOrbit, Study, StudyError};
@@ -9,12 +8,10 @@ use serde_json::{Map, Value, json};
 const ORBITS: usize = 5;
 /// The smallest share of the picture's area that the box around an orbit must have.
 const SHARE: f64 = 0.25;
-/// The multiples of a suitable first point that are tried as further first points, in order of
-/// preference.
+/// The multiples of a first point that are tried as further first points.
 const MULTIPLES: [(i64, i64); 11] =
     [(3, 4), (1, 2), (5, 4), (3, 2), (7, 8), (9, 8), (2, 1), (1, 4), (-1, 2), (-3, 4), (-1, 1)];
-/// The values of parameters that are tried, one row after the other. If there are more parameters
-/// than values in a row, the row is repeated.
+/// The parameter values that are tried, row by row. A row that is too short is repeated.
 const VALUES: [&[(i64, i64)]; 4] = [
     &[(1, 1)],
     &[(1, 1), (1, 2), (1, 3), (2, 3), (1, 4)],
@@ -56,8 +53,8 @@ fn joined(point: &[Rational]) -> String {
     point.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
 }
 
-/// Returns values for the parameters without a value, the study at these values, and an orbit. The
-/// first values with a bounded orbit are taken; if every orbit escapes, the first values.
+/// Chooses the missing parameter values, and returns the study and an orbit there. Prefers the
+/// first values with a bounded orbit.
 fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit), StudyError> {
     let valued = study.valued();
     let missing = study.parameters().iter().zip(valued).filter(|(_, value)| value.is_none());
@@ -84,11 +81,10 @@ fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit),
     Ok(first.expect("some values were tried"))
 }
 
-/// The coordinates of the first point that is tried before all others.
+/// The coordinates of the first point that is tried.
 const UNITS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 
-/// Returns the orbit of a point of size 1 if it stays bounded and is wide, even if it comes to
-/// rest. Otherwise returns the library's choice, an orbit that keeps moving.
+/// Returns a wide, bounded orbit of a point of size 1, or else the library's choice of an orbit.
 fn first_orbit(study: &Study) -> Result<ShownOrbit, StudyError> {
     if let Some(own) = study.start().or_else(|| study.lift_start()) {
         return study.shown_orbit(None, Some(&own));
@@ -122,8 +118,7 @@ fn starts(start: &[Rational]) -> Vec<Vec<Rational>> {
     multiples.chain(changed).collect()
 }
 
-/// Returns the pair of variables in which most orbits are wide, and the first points of these
-/// orbits. For a field of one variable, the pair is empty.
+/// Returns the two variables in which most orbits are wide, and the first points of these orbits.
 fn plane(orbits: &[ShownOrbit], variables: usize) -> (Vec<usize>, Vec<Vec<Rational>>) {
     if variables < 2 {
         return (Vec::new(), wide(orbits, &[0]));
@@ -139,8 +134,8 @@ fn plane(orbits: &[ShownOrbit], variables: usize) -> (Vec<usize>, Vec<Vec<Ration
     best
 }
 
-/// Returns the first points of as many orbits as possible, at most [`ORBITS`]. The box of each of
-/// these orbits has at least a [`SHARE`] of the box around all of them.
+/// Returns the first points of at most [`ORBITS`] orbits. The box of each orbit has at least a
+/// [`SHARE`] of the box around all of these orbits.
 fn wide(orbits: &[ShownOrbit], axes: &[usize]) -> Vec<Vec<Rational>> {
     let boxes: Vec<Vec<[f64; 2]>> =
         orbits.iter().map(|orbit| axes.iter().map(|&k| orbit.extremes[k]).collect()).collect();

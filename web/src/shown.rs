@@ -10,8 +10,7 @@ use maud::{Markup, html};
 
 pub(crate) use kahan_draw::document::readable;
 
-/// Returns the field, A, b, the map, and the claims that came with the field; if `of_jacobian`,
-/// returns the Jacobian instead. The formulas in `shown` are LaTeX.
+/// Returns the formulas of a field as HTML; if `of_jacobian`, only the Jacobian of the map.
 pub(crate) fn formulas(shown: ShownField, of_jacobian: bool) -> String {
     match shown {
         ShownField::Formulas(sheet) if of_jacobian => jacobian(&sheet).into_string(),
@@ -19,8 +18,7 @@ pub(crate) fn formulas(shown: ShownField, of_jacobian: bool) -> String {
     }
 }
 
-/// Returns the Jacobian of the map. If an entry is too long, returns the formula by which it is
-/// computed.
+/// Returns the Jacobian of the map, or a formula for it if an entry is too long.
 fn jacobian(sheet: &FormulaSheet) -> Markup {
     html! {
         (display(JACOBIAN, LINE))

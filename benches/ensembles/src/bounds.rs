@@ -1,6 +1,5 @@
-//! Measures how many divisions and multiply-adds the machine can do per second. The loops have
-//! enough independent operations in registers to hide the latency. The loops contain no closures,
-//! because closures use these instructions only if the compiler inlines them early enough.
+//! Measures how many divisions and multiply-adds the machine can do per second. The loops have no
+//! closures, which use these instructions only if the compiler inlines them early enough.
 
 // `unsafe` is needed to call functions compiled for instructions that were detected.
 #![allow(unsafe_code)]

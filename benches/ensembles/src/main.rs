@@ -1,5 +1,4 @@
-//! A process that times ensembles of trajectories on request. The benchmarks alternate between a
-//! build for all processors and a build for this processor.
+//! A process that times ensembles of trajectories on request.
 
 mod bounds;
 mod counted;

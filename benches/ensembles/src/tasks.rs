@@ -1,6 +1,4 @@
-//! The tasks that are timed, and the units of work that are counted. A unit is one step of
-//! [`POINTS`] trajectories together, or [`POINTS`] steps of a single trajectory. For the machine's
-//! bounds a unit is [`POINTS`] divisions or multiply-adds.
+//! The tasks that are timed. A unit of work is [`POINTS`] steps, divisions or multiply-adds.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -13,8 +11,7 @@ use kahan_core::{Ensemble, KahanAt, Level, Reciprocal};
 use crate::bounds;
 use crate::counted::operations;
 
-/// The number of trajectories. The states of these trajectories, in three variables, fit into the
-/// first-level cache.
+/// The number of trajectories, whose states fit into the first-level cache.
 pub(crate) const POINTS: usize = 512;
 
 const SEGMENT: usize = 1024;

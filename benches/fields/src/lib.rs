@@ -1,6 +1,5 @@
 //! The eight systems of the benchmarks, and the protocol of the processes that time them
-//! ([`serve`]). Each file holds only a system's `kahan!` block, so that the cost of compiling the
-//! block can be measured.
+//! ([`serve`]). Each system's file holds only its `kahan!` block.
 
 mod clebsch;
 mod e1;
@@ -21,7 +20,7 @@ pub use euler_top::EulerTop;
 pub use lorenz::Lorenz;
 pub use lotka_volterra::LotkaVolterra;
 
-/// Half the time step, ε, of all timings. As usual for a user's ε, it is not a power of two.
+/// Half the time step, ε, of all timings.
 pub const EPS: f64 = 1.0 / 1000.0;
 
 /// A system as text, from which its block is compiled or read.
@@ -69,14 +68,13 @@ pub const SOURCES: [Source; 8] = [
     },
 ];
 
-/// Returns the inside of a file's `kahan!` block, which ends with a brace at the beginning of a
-/// line. `None` if there is no block.
+/// Returns the inside of a file's `kahan!` block; `None` if there is no block.
 pub fn block_of(file: &str) -> Option<&str> {
     let (_, block) = file.split_once("kahan! {")?;
     Some(block.split_once("\n}")?.0)
 }
 
-/// Returns the Euler top that is timed. It has bounded orbits and rounded parameters.
+/// Returns the Euler top that is timed. Its orbits are bounded.
 pub fn euler_top() -> EulerTop<f64> {
     EulerTop { a1: 1.1, a2: -2.3, a3: 1.7 }
 }

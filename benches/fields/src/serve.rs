@@ -1,8 +1,7 @@
 //! A process that times tasks on request, so that several builds of it can be timed alternately.
 //!
-//! The process first writes its tasks, one on each line, then an empty line. A line has the system,
-//! the task, and the number of operations of a step without divisions, if they are counted. The
-//! answer to a request `TASK UNITS` is the time that this number of units takes, in seconds.
+//! The process writes its tasks, one on each line, then an empty line. The answer to a request
+//! `TASK UNITS` is the time of this number of units, in seconds.
 
 use std::io::{self, BufRead, Write};
 
@@ -12,15 +11,13 @@ pub struct Task {
     pub system: &'static str,
     /// The name of the task.
     pub what: &'static str,
-    /// The number of additions, multiplications and multiply-adds of a step. The number is 0 if the
-    /// operations are not counted.
+    /// The number of operations of a step; 0 if they are not counted.
     pub operations: usize,
     /// Runs a number of units of work, and returns the seconds.
     pub seconds: Box<dyn Fn(usize) -> f64>,
 }
 
-/// Writes the tasks and answers requests until the input ends. Fails for invalid requests, and if
-/// standard input or output fail.
+/// Writes the tasks, and answers requests until the input ends. Fails for invalid requests.
 pub fn serve(tasks: &[Task]) -> io::Result<()> {
     let mut output = io::stdout().lock();
     for task in tasks {

@@ -1,7 +1,5 @@
 //! Times steps of long chains in nanoseconds per site, beside a memory triad per element.
-//! `cargo run --release -p kahan-bench-lattices` in this folder prints a table, and
-//! `--features parallel` uses threads. Each figure is the least of several rounds, in which all
-//! contenders alternate.
+//! `cargo run --release -p kahan-bench-lattices` in this folder prints a table.
 
 mod families;
 mod midpoint;

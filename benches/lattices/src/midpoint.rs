@@ -1,8 +1,6 @@
 //! Compares Kahan's map of KdV and the implicit midpoint rule, both with one banded solver.
-//! Newton's iteration solves the equation y = x + 2ε f(m) of the midpoint rule for m = (x + y)/2.
-//! Each iteration solves A(m,ε) δ = −(m − x − ε f(m)), and adds δ to m. The matrix A(m,ε) is that
-//! of Kahan's map at m. The iteration starts at the extrapolated midpoint, and ends when δ reaches
-//! the rounding level. Only steps of the solver are timed.
+//! Newton's method for the midpoint rule solves linear systems with the matrix of Kahan's map. Only
+//! steps of the solver are timed.
 
 use std::time::{Duration, Instant};
 

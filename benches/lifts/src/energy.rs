@@ -1,5 +1,4 @@
-//! Measures how energies of conservative systems drift: the energy that the lifted map preserves,
-//! and the original energy.
+//! Measures how the preserved and the original energies of conservative systems drift.
 
 use kahan_lift::{LiftCriterion, Reembedding};
 
@@ -22,13 +21,11 @@ const LOOKS: u64 = 10_000;
 /// The number of initial states, whose coordinates differ by millionths.
 const STARTS: u32 = 16;
 const EPS: f64 = 0.01;
-/// The largest error of a preserved energy, relative to the sum of its terms' sizes. Each step
-/// makes a few rounding errors of at most 1.1e-16. If they are independent, their sum grows like
-/// the square root of the number of steps: 10 · 1.1e-16 · √10⁶ ≈ 1e-12.
+/// The largest error of a preserved energy, relative to the sum of its terms' sizes. Rounding
+/// errors grow like the root of the number of steps: 10 · 1.1e-16 · √10⁶ ≈ 1e-12.
 const ROUNDING: f64 = 1e-12;
 /// The largest factor by which the error may grow between 10⁴ and 10⁶ steps. The factor is 10 for a
-/// random walk, and 100 for a drift. The root mean square over 16 orbits is uncertain by a factor
-/// of about 1.4.
+/// random walk, and 100 for a drift.
 const WALK: f64 = 30.0;
 
 pub(crate) fn energy() {

@@ -1,12 +1,8 @@
 //! Compares the predicted with the observed growth of errors of a lift's relations.
 //!
-//! All lifts and quadratic fields that `kahan lift` considers, at most 120 for each system, and the
-//! chosen one run at ε = 0.01 to the time 300. If an error exceeds 5 % of its variable's largest
-//! size, runs at ε/8 and ε/64 follow. A lift is *good* if its relations hold at ε = 0.01, and its
-//! states are correct there or at a smaller ε (phases may err at first). A lift is *good at smaller
-//! ε* if relations and states are correct there, otherwise *bad*. States of chaotic systems are not
-//! compared. The program prints a row for each system, the shares of correct predictions, and every
-//! wrong one.
+//! All lifts that `kahan lift` considers run at ε = 0.01 to the time 300. Lifts with large errors
+//! run again at ε/8 and ε/64. A lift is good if relations and states are correct at ε = 0.01. If
+//! they are correct at a smaller ε only, the lift is good at smaller ε, otherwise bad.
 
 use std::fmt;
 
@@ -22,7 +18,7 @@ const GOOD: f64 = 0.05;
 const FINER: [u32; 2] = [8, 64];
 const MOST: usize = 120;
 
-/// The largest errors along an orbit of the map. Each is relative to the size of its variable.
+/// The largest errors along an orbit, relative to the sizes of the variables.
 #[derive(Clone, Copy)]
 struct Errors {
     relations: f64,
@@ -81,7 +77,7 @@ impl Predicted {
     }
 }
 
-/// A lift with its errors at ε = 0.01. If they are large, the errors at smaller ε follow.
+/// A lift with its errors at ε = 0.01, and at smaller ε if the errors at ε = 0.01 are large.
 struct Judged {
     predicted: Predicted,
     errors: Vec<Errors>,

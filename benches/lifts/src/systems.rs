@@ -1,7 +1,4 @@
-//! Reads the systems of `systems.tsv`, and computes their lifts and reference solutions. A line has
-//! a name, equations, parameter values, an initial state, and a time up to which solutions are
-//! predictable. The energy of a conservative system follows, then the words `chaotic`, or `extra`
-//! for systems beyond the thirty.
+//! Reads the systems of `systems.tsv`, and computes their lifts and reference solutions.
 
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lenient;
@@ -90,8 +87,7 @@ impl System {
         slope.iter_mut().zip(&self.field).for_each(|(slope, formula)| *slope = formula.value(x));
     }
 
-    /// Returns the states at the ends of `parts` equal parts of the time. The Dormand–Prince method
-    /// computes them with this tolerance.
+    /// Returns the states at the ends of `parts` equal parts of the time, by Dormand and Prince.
     pub(crate) fn solution(&self, time: f64, parts: u32, tolerance: f64) -> Vec<Vec<f64>> {
         let mut x = DVector::from_column_slice(&self.start);
         let part = time / f64::from(parts);
@@ -115,8 +111,7 @@ impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
     }
 }
 
-/// A right-hand side as written. The right-hand side is evaluated independently of the crate under
-/// test.
+/// A right-hand side, which is evaluated independently of the crate under test.
 pub(crate) enum Formula {
     Number(f64),
     State(usize),
@@ -203,8 +198,7 @@ pub(crate) fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |size, value| size.max(value.abs()))
 }
 
-/// Returns the largest difference of components that `a` and `b` both have, relative to the size of
-/// `b`.
+/// Returns the largest difference of the components of `a` and `b`, relative to the size of `b`.
 pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
     // The function `max` would ignore NaN.
     let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };

@@ -24,8 +24,7 @@ kahan! {
 /// Half the time step, ε, of the stability maps.
 pub const MAP_EPS: f64 = 0.05;
 
-/// Returns a grid of `side`² initial states of Hénon and Heiles' system. The states y and q lie
-/// between −0.4 and 0.4, and q changes from cell to cell. The others are x = p = 0.1.
+/// Returns `side`² initial states of Hénon and Heiles' system, with y and q from −0.4 to 0.4.
 pub fn cells(side: usize) -> Ensemble<f64, 4> {
     let axis = Axis { start: -0.4, end: 0.4, count: side };
     let fixed = Axis { start: 0.1, end: 0.1, count: 1 };

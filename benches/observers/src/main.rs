@@ -1,7 +1,5 @@
-//! Measures the cost of observers. Orbits of E6 with observers alternate with the plain orbit, and
-//! stability maps are those of Hénon and Heiles' system.
-//! `cargo run --release -p kahan-bench-observers` in this folder prints two tables: medians of
-//! ratios over rounds, and the least times.
+//! Measures the cost of observers on orbits of E6, and the time of stability maps.
+//! `cargo run --release -p kahan-bench-observers` in this folder prints two tables.
 
 use std::hint::black_box;
 use std::time::Instant;

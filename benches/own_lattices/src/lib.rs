@@ -1,7 +1,6 @@
 //! Lattices that a user wrote with only the README and the language reference.
 //! `cargo run --release -p kahan-bench-own-lattices --bin check` in this folder compares their
-//! steps with Kahan's map by dense elimination. Without `--bin check`, the program prints times and
-//! invariants.
+//! steps with Kahan's map by dense elimination.
 #![allow(missing_docs, reason = "parameters are named in the equations")]
 use kahan_core::prelude::*;
 

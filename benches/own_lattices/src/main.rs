@@ -1,5 +1,4 @@
-//! Makes steps of lattices with 10, 1000 and 1 000 000 sites, and prints invariants and nanoseconds
-//! per site.
+//! Prints invariants and nanoseconds per site of lattices with 10, 1000 and 1 000 000 sites.
 use kahan_bench_own_lattices::*;
 use kahan_core::LatticeAt;
 use kahan_core::prelude::*;

@@ -1,5 +1,4 @@
-//! Times many trajectories that share vector registers, by the macro's code and by machine code
-//! made at run time. A unit of work has [`POINTS`] steps.
+//! Times many trajectories together, by the macro's code and by machine code made at run time.
 
 use std::hint::black_box;
 

@@ -1,5 +1,4 @@
-//! Times the compilation of formulas to machine code: steps of catalog fields, with integrals or
-//! for many trajectories.
+//! Times the compilation of steps, integrals and ensembles to machine code.
 
 use std::hint::black_box;
 

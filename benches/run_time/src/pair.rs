@@ -35,8 +35,7 @@ impl<M: KahanMap<f64, N>, const N: usize> Pair<M, N> {
     }
 }
 
-/// Makes a task that runs in segments. The function `run` takes the steps of a segment and returns
-/// the seconds.
+/// Makes a task from `run`, which takes the steps of a segment and returns the seconds.
 pub(crate) fn in_segments(
     system: &'static str,
     what: &'static str,

@@ -2,12 +2,10 @@
 //!
 //! # Formulas
 //!
-//! Let W = diag(w₁, w₂, w₃), P = εp, and c = (w₃−w₂, w₁−w₃, w₂−w₁). The increment of m is
-//! ε(p × Wp̃ + p̃ × Wp), which has no divisions. Eliminating m̃ leaves a linear system for p̃. The
-//! matrix of this system is K = diag(d) + \[a\]×. Here \[a\]× is the matrix of the cross product
-//! with a = εm + P × WP. The vector d has the first component d₁ = 1 − c₃P₂² + c₂P₃². Cyclic
-//! permutation of the indices gives d₂ and d₃. Let ∘ denote the product by components. Since
-//! a·(p × a) = 0, the step is:
+//! Let W = diag(w₁, w₂, w₃), P = εp, and c = (w₃−w₂, w₁−w₃, w₂−w₁). Eliminating m̃ leaves a linear
+//! system for p̃ with the matrix diag(d) + \[a\]×. Here \[a\]× is the matrix of the cross product
+//! with a = εm + P × WP. The vector d has d₁ = 1 − c₃P₂² + c₂P₃², and d₂, d₃ follow cyclically. The
+//! sign ∘ is the product by components. The step is:
 //!
 //! - p̃ = p + 2(e∘(p × a) + (Σdᵢaᵢpᵢ)a − Sp)/D with e = (d₂d₃, d₃d₁, d₁d₂), S = Σdᵢaᵢ²,
 //! - D = d₁d₂d₃ + S,
@@ -49,8 +47,6 @@ pub(crate) fn skew_part(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f6
     }
 }
 
-/// Multiplies by 2 during the division instead of before it, and adds the term of D that is known
-/// last at the end.
 pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);
@@ -76,9 +72,7 @@ pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [
     }
 }
 
-/// Computes the numerators of p as e∘(p × a) − b × (p × a), where b has the components dᵢaᵢ. The
-/// head of this module defines a, d and e. While the processor divides, the step prepares the
-/// components of m.
+/// Prepares the components of m while the processor divides.
 pub(crate) fn m_beside_p(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);

@@ -12,7 +12,6 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Uses a single reciprocal, 1/(kt).
 pub(crate) fn one_reciprocal(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -25,8 +24,7 @@ pub(crate) fn one_reciprocal(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes 1/k first, which x and y need. Only x is on the critical path; z is divided by t at the
-/// end.
+/// Divides x and y first, because only x is on the critical path.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -37,7 +35,6 @@ pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Uses a division for each component, without multiplications after the division.
 pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -48,7 +45,7 @@ pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Uses k/(2ε) = h + x and t/ε = 2h − x with h = 1/(2ε). Only one addition precedes the division.
+/// Divides the denominators by ε, so that only one addition precedes the division.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h, four_h) = (0.5 / eps, 1.0 / eps, 2.0 / eps);
     move |[x, y, z]| {

@@ -12,7 +12,6 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Computes the denominator as D = 1 + ε((z + εr) + εr).
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -25,8 +24,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes the denominator as D = (1 + Z) + (X·2X + Y·2Y) with X = εx, Y = εy, Z = εz. The sum of
-/// squares for the numerators is computed separately.
+/// Computes the sum of squares for the numerators and for the denominator separately.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -40,7 +38,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D as in `short_chain`. The squares are computed once and scaled during the division.
+/// Computes the squares once, and scales them during the division.
 pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -53,7 +51,7 @@ pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D/(2ε²) = h(2h + z) + r with h = 1/(2ε), without separate products with ε.
+/// Divides the denominator by 2ε², without separate products with ε.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h) = (0.5 / eps, 1.0 / eps);
     move |[x, y, z]| {

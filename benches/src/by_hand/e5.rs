@@ -12,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Uses a single reciprocal, 2ε/(Du), where D and u are denominators of the map.
+/// Uses a single reciprocal.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -25,7 +25,6 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes 1/D, which is on the critical path, and in parallel 1/u, which only z needs.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -38,7 +37,7 @@ pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Divides z by u at the end, so that compilers cannot pack the divisions into one register.
+/// Divides z at the end, so that compilers cannot pack the divisions into one register.
 pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -50,8 +49,7 @@ pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes the denominators as D/(2ε²) = h(2h − y) + x² with h = 1/(2ε), and u/ε = 2h + y.
-/// Computes z from the new x and y by (2h + y)Δz = (2x − z)(y + ỹ) + 2yΔx.
+/// Divides the denominators by powers of ε, and computes z from the new x and y.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h) = (0.5 / eps, 1.0 / eps);
     move |[x, y, z]| {

@@ -15,7 +15,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Computes the denominator D from the numerators of x and z.
+/// Computes the denominator from the numerators of x and z.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -29,7 +29,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes the denominator D from X, Y, Z in parallel.
+/// Computes the denominator in parallel with the numerators.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -45,8 +45,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D as in `short_chain`, with 3Y as Y + 2Y and the constant 8ε, which is an exact
-/// multiple of ε.
+/// Computes the denominator as `short_chain` does, with the exact multiple 8ε.
 pub(crate) fn shortest_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (two_eps, eight_eps) = (2.0 * eps, 8.0 * eps);
     move |[x, y, z]| {

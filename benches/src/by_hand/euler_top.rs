@@ -13,8 +13,7 @@ pub(crate) fn contenders(top: EulerTop<f64>, start: [f64; 3], eps: f64) -> Vec<C
     ]
 }
 
-/// Computes the denominator as D = 1 − qx·rx − py·rb − pz·qc. The numerators share all but three of
-/// the products.
+/// Uses most products in both the denominator and the numerators.
 pub(crate) fn fewest_operations(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (p, q, r) = (eps * top.a1, eps * top.a2, eps * top.a3);
     move |[x, y, z]| {
@@ -27,7 +26,7 @@ pub(crate) fn fewest_operations(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3
     }
 }
 
-/// Sums the terms of the denominator D in pairs. Each term is a product of two products.
+/// Sums the terms of the denominator in pairs.
 pub(crate) fn short_chain(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (p, q, r) = (eps * top.a1, eps * top.a2, eps * top.a3);
     let (two_p, two_q, two_r) = (2.0 * p, 2.0 * q, 2.0 * r);

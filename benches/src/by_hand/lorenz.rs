@@ -34,8 +34,7 @@ pub(crate) fn fewest_operations(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3])
     }
 }
 
-/// Computes the denominator as D = X(kεx + sεy) + (ct₀ + csεz), with coefficients computed in
-/// advance. Factors 2 are merged with constants of the numerators.
+/// Computes the denominator with coefficients that are computed in advance.
 pub(crate) fn short_chain(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (s, r, b) = (eps * map.sigma, eps * map.rho, eps * map.beta);
     let (k, l, c) = (1.0 + s, 1.0 + eps, 1.0 + b);

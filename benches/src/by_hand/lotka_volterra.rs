@@ -12,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 2], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Computes the denominator as D = 1 − ε(p + q − ε). Each difference is used twice.
+/// Uses each difference twice.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -23,8 +23,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Computes the denominator as D = (1 + (Y − X)) + ε((X + Y) − ε) with X = εx and Y = εy. The
-/// critical path has six operations.
+/// Reduces the critical path to six operations.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -36,7 +35,6 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Divides each component, without multiplications after the divisions.
 pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -48,8 +46,7 @@ pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Uses coefficients computed in advance. Two parallel products and two sums precede the division
-/// by D/(2ε).
+/// Divides the denominator by 2ε, with coefficients computed in advance.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let (h, more, less) = (0.5 / eps, 1.0 + eps, 1.0 - eps);
     let (half_more, half_less, half_eps) = (0.5 * more, 0.5 * less, 0.5 * eps);

@@ -4,16 +4,13 @@ use kahan_bench_fields as fields;
 use kahan_core::num_traits::ToPrimitive;
 use kahan_core::prelude::*;
 
-/// The largest permitted error. An error of ½ ulp cannot be avoided, and increments at these points
-/// add a few roundings.
+/// The largest permitted error: half an ulp, and a few roundings of the increment.
 const BOUND: f64 = 3.0 * f64::EPSILON;
 
-/// Half the time step, ε. The value is not a power of two, and is large enough for all powers of ε
-/// to matter.
+/// Half the time step, large enough for all powers of ε to matter.
 const EPS: f64 = 0.1;
 
-/// Returns points that fill the box (−1, 1)ᴺ. The coordinates of the points are multiples of
-/// irrational numbers.
+/// Returns points that fill the box (−1, 1)ᴺ.
 fn points<const N: usize>() -> impl Iterator<Item = [f64; N]> {
     (1..=200)
         .map(|k| std::array::from_fn(|i| 2.0 * (f64::from(k) * (i as f64 + 2.0).sqrt() * 0.37).fract() - 1.0))

@@ -1,5 +1,4 @@
-//! Reports the speed of ensembles: the default build is compared with a native build and with the
-//! machine's bounds.
+//! Reports the speed of ensembles in two builds, compared with the machine's bounds.
 
 use anyhow::Result;
 
@@ -62,9 +61,8 @@ pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
     Ok(systems.into_iter().zip(times).map(|(system, times)| (system, times[0] / POINTS)).collect())
 }
 
-/// Times all tasks of a system in both builds, and the machine's bounds, alternately. Returns the
-/// lines of each system, then those of the bounds. The first line of a system is its ensemble in
-/// the default build, which is the reference of the ratios.
+/// Times all tasks of each system in both builds alternately. The ensemble in the default build is
+/// the reference of the ratios.
 fn measure(workers: &mut [Worker; 2], effort: Effort) -> Result<Vec<Vec<Line>>> {
     let mut systems: Vec<&str> = workers[0].tasks().iter().map(|task| task.system.as_str()).collect();
     systems.sort_by_key(|&system| system == BOUND);

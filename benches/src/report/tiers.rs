@@ -14,8 +14,7 @@ const FAST: &str = "fast";
 /// The fast tier with a separate call for each step, as in the stable tier.
 const STEP: &str = "fast, a step at a time";
 
-/// The tiers with a limit. Each has the tier, the reference, whether the build is native (with
-/// multiply-adds), and the largest permitted ratio.
+/// The limits: tier, reference, whether the build is native, and the largest permitted ratio.
 const LIMITS: [(&str, &str, bool, f64); 3] =
     [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 
@@ -56,8 +55,7 @@ pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Tiers".to_owned(), text, table }], limits))
 }
 
-/// Returns the cost of each tier relative to the fast tier, in the default build, for each system
-/// of up to three variables.
+/// Returns the cost of each tier relative to the fast tier, for systems of two or three variables.
 pub(crate) fn tier_prices(effort: Effort) -> Result<Vec<(String, f64)>> {
     let mut worker = Worker::start(&worker::build(worker::TIERS, false)?)?;
     let lines = measure(&mut worker, effort)?;
@@ -72,7 +70,7 @@ struct Line {
 }
 
 impl Line {
-    /// Returns whether limits apply, which is so for two and three variables.
+    /// Returns whether limits apply.
     fn is_small(&self) -> bool {
         self.system != "Clebsch"
     }

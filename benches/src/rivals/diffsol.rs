@@ -3,8 +3,7 @@
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use kahan_core::prelude::*;
 
-/// Returns the state after `time`, and panics if the method fails. Both the absolute and the
-/// relative tolerance are `tolerance`.
+/// Returns the state after `time`. `tolerance` is absolute and relative. Panics on failure.
 pub(crate) fn end<F, const N: usize>(field: F, tolerance: f64) -> impl Fn([f64; N], f64) -> [f64; N]
 where
     F: QuadraticField<f64, N>,

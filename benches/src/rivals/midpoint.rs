@@ -4,13 +4,11 @@ use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
 
 pub(crate) const NAME: &str = "implicit midpoint, Newton";
-/// The largest permitted final update of Newton's method, relative to max(1, |x̃|), in the maximum
-/// norm.
+/// The largest permitted final update of Newton's method, relative to max(1, |x̃|).
 pub(crate) const TOLERANCE: f64 = 1e-14;
 
-/// Returns a step by h = 2ε. Newton's method starts at Euler's step and uses the exact Jacobian I −
-/// ½h·f′, with LU decomposition and partial pivoting. The step panics for a singular Jacobian,
-/// which these chains never meet.
+/// Returns a step by 2ε with Newton's method, which starts at Euler's step. Panics for a singular
+/// Jacobian, which these chains never meet.
 pub(crate) fn step<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,
@@ -20,7 +18,7 @@ where
     move |x| {
         let x = SVector::from(x);
         let mut next = x + map.field(&x) * h;
-        // Convergence is quadratic. More iterations mean that rounding errors exceed the tolerance.
+        // Newton's method converges within eight iterations, unless rounding exceeds the tolerance.
         for _ in 0..8 {
             let middle = (x + next) * 0.5;
             let residual = x + map.field(&middle) * h - next;

@@ -13,8 +13,7 @@ use super::scene::Setting;
 pub(crate) struct Told {
     pub(crate) choice: Setting,
     /// The finest setting of each scheme, with the command's price in nanoseconds per unit of
-    /// simulated time. One setting suffices, because all settings of a scheme have equal prices per
-    /// step.
+    /// simulated time.
     pub(crate) prices: Vec<(Setting, f64)>,
     /// The speed of the machine during the run.
     pub(crate) pace: f64,

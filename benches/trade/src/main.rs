@@ -1,15 +1,9 @@
-//! Checks the choices of `kahan trade` and of the library against all settings. The scenes are new,
-//! and all settings are timed alternately. `cargo run --release -p kahan-bench-trade` in `benches/`
-//! takes six minutes on an idle machine. It prints the results for each scene, and fails in three
-//! cases:
+//! Checks the choices of `kahan trade` and of the library against all settings.
+//! `cargo run --release -p kahan-bench-trade` in `benches/` fails in three cases:
 //!
-//! - The error of a choice, at all points of a repeated orbit, exceeds its tolerance.
-//! - A choice costs too much. The command's choice may cost 1.3 times the best setting that the
-//!   command can compare with. The library's choice may cost 3 times the best setting of all. The
-//!   command assumes that `f32` is no cheaper than `f64`, so a choice in `f64` may cost 1.5 times a
-//!   setting in `f32`; the output compares with the best of all.
-//! - A price that the command states differs too much from the one measured here, where the macro
-//!   compiles the orbit into an optimised program.
+//! - The error of a choice exceeds its tolerance.
+//! - A choice costs more than a permitted multiple of the best setting.
+//! - A price of the command differs too much from the price that is measured here.
 
 mod command;
 mod price;
@@ -31,11 +25,9 @@ use unseen_fields::{
     ThreeWaves, Tired,
 };
 
-/// The largest permitted cost of the command's and of the library's choice, divided by that of the
-/// best setting.
+/// The largest permitted cost of the command's and of the library's choice, relative to the best.
 const DEAREST: [f64; 2] = [1.3, 3.0];
-/// The factor by which errors may exceed the tolerance. The command checks only some points of an
-/// orbit, more of them where the orbit moves fast. This program checks all points.
+/// The factor by which errors may exceed the tolerance, because the command checks fewer points.
 const UNSEEN: f64 = 1.02;
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
 

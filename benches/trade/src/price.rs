@@ -8,14 +8,11 @@ use kahan_core::prelude::*;
 
 use super::scene::{Scene, Setting};
 
-/// The number of rounds, in which all settings alternate. The least time counts, because
-/// disturbances only slow a step down.
+/// The number of rounds, of which the least time counts.
 const ROUNDS: usize = 60;
 
-/// The largest permitted quotient of a price measured here and the command's price. The command
-/// times machine code with equal operations. Compilers pack and spill registers differently, above
-/// all in single precision: quotients from 0.9 to 2.1 were measured. Crates that are not optimised
-/// together take 3.6 times as long, and unoptimised programs a hundred times.
+/// The largest permitted quotient of a price measured here and the command's price. Quotients from
+/// 0.9 to 2.1 were measured, and 3.6 for crates that are not optimised together.
 pub(crate) const NEAR: f64 = 2.5;
 
 /// Returns the price of each setting in nanoseconds per unit of time, and the speed of the machine.
@@ -33,8 +30,7 @@ pub(crate) fn side_by_side<M: ExtendScalars<BigRational, N>, const N: usize>(
     (prices, least)
 }
 
-/// Returns the seconds that a fixed loop of dependent operations takes. Prices measured at
-/// different times are normalised by this time.
+/// Returns the seconds of a fixed loop, by which prices at different times are normalised.
 pub(crate) fn pace() -> f64 {
     let turn = || {
         let clock = Instant::now();

@@ -32,7 +32,7 @@ pub(crate) struct Scene<M, const N: usize> {
     pub(crate) reference: Reference,
 }
 
-/// Evaluates an expression with the orbit of a setting, which a closure creates.
+/// Evaluates an expression in which a closure makes the orbit of a setting.
 macro_rules! with_orbit {
     ($map:expr, $start:expr, $eps:expr, $setting:expr, |$begin:ident| $body:expr) => {
         match (
@@ -89,8 +89,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.extend_scalars(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// Returns the largest distance from the reference over all steps. The final step is compared
-    /// with the reference at the horizon. The computation ends once the distance exceeds `enough`.
+    /// Returns the largest distance from the reference, or a distance that exceeds `enough`.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
@@ -115,13 +114,10 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         const STEPS: usize = 400;
         /// The least number of steps of one timed orbit, since starting an orbit takes time.
         const PIECE: usize = 64;
-        // Far beyond the horizon arithmetic may be slow; for example, an epidemic ends in subnormal
-        // `f32`.
+        // Far beyond the horizon arithmetic may be slow, for example by subnormal numbers.
         let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
         let repeats = STEPS.div_ceil(steps);
-        /// Times one kind of orbit, which is created and iterated here as in a user's loop. One
-        /// function for all kinds would be too large to be optimised well. An orbit that is passed
-        /// as argument would stay in memory.
+        /// Times one kind of orbit. One function for all kinds would be badly optimised.
         #[inline(never)]
         fn seconds<O: Iterator>(begin: impl Fn() -> O, steps: usize, repeats: usize) -> f64 {
             let clock = Instant::now();
@@ -138,8 +134,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
 
-    /// Returns for each scheme the coarsest ε that suffices, on a grid with ratio 1.1, while the
-    /// price of the scheme is below `dearest`.
+    /// Returns the coarsest sufficient ε of each scheme that costs less than `dearest`.
     pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
         let mut found = Vec::new();
         for scheme in Scheme::all() {

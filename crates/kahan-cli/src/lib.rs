@@ -1,12 +1,9 @@
 //! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages.
 //!
-//! In: arguments. Out: text, JSON or files. `reading` turns arguments into checked systems and
-//! numbers. Each module of `commands` asks a library, and returns an `Answer` or a `UsageError`.
-//! Only [`run`] prints, except for the rows of long tables, which go to an `OutputStream`. The exit
-//! status is 0 for success, 1 for a failed check or a pole, and 2 for wrong usage or input.
-//! Mathematics is deliberately absent.
+//! `reading` parses arguments, `commands` asks the libraries, and `printing` writes the answers.
+//! The exit status is 0 for success, 1 for a failed check or a pole, and 2 for wrong input.
 
-// Modules are listed from bottom to top: each uses only modules above it (`tests/tests/layers.rs`).
+// Each module uses only the modules above it. `tests/tests/layers.rs` checks this.
 
 mod printing;
 
@@ -61,8 +58,7 @@ Examples:
 `kahan COMMAND --help` lists options and examples.
 `kahan help COMMAND` explains them.";
 
-/// Runs the command with these arguments; the first argument is the name of the program. Prints to
-/// standard output and standard error.
+/// Runs the command. The first argument is the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     ExitCode::from(status(arguments))
 }
@@ -80,8 +76,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // The notes show undeclared names. The notes help if a term was refused because a variable was
-    // misspelled.
+    // The notes help if a refused term contains a misspelled variable.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));
@@ -120,7 +115,6 @@ fn command() -> clap::Command {
         let help = Arg::new("help").short('h').long("help").help("Print help").action(ArgAction::HelpShort);
         one.disable_help_flag(true).arg(help)
     };
-    // The help of a command does not list `--help`.
     let found = |one: clap::Command| on_a_screen(one).mut_arg("help", |help| help.hide(true));
     let names = GROUPS.iter().flat_map(|(_, names)| *names);
     names.fold(on_a_screen(cli.help_template(template)), |command, name| {
@@ -132,8 +126,7 @@ fn command() -> clap::Command {
     })
 }
 
-/// Turns help and version into answers, and every other message of clap into a refusal of one
-/// paragraph.
+/// Turns help and version into answers, and clap's errors into refusals of one paragraph.
 fn usage(error: &clap::Error, command: &str) -> Result<Answer, UsageError> {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
@@ -141,7 +134,6 @@ fn usage(error: &clap::Error, command: &str) -> Result<Answer, UsageError> {
     }
     let is_end = |line: &str| line.starts_with("Usage:") || line.starts_with("For more");
     let lines = text.lines().map(str::trim).take_while(|line| !is_end(line));
-    // Clap's tip on passing a flag as a value does not help here, so it is left out.
     let said = lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"));
     let said = joined(said, " ").replace(" tip: ", "; ");
     let said = said.trim_start_matches("error: ");

@@ -1,7 +1,6 @@
 //! Tests the examples in the README and in the book in `docs/`.
 //!
-//! A `console` block is run and must print its text; a `sh` block is only shown. `docs/check` runs
-//! this test with the release binary; `TRYCMD=overwrite docs/check` updates the texts.
+//! `console` blocks are run, `sh` blocks are not. `TRYCMD=overwrite docs/check` updates the texts.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -79,8 +78,6 @@ fn every_command_has_its_help_in_the_reference() {
     }
 }
 
-/// Each row of the table has a command, and the members of the object that the command prints, in
-/// order.
 #[test]
 fn the_objects_have_the_members_that_the_reference_lists() {
     let reference = read(Path::new("docs/reference/commands.md"));

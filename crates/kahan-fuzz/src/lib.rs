@@ -1,5 +1,4 @@
-//! The bodies of the fuzz targets. The bodies make inputs from bytes, and check every result.
-//! Private modules of `kahan-jit` are compiled here again.
+//! The bodies of the fuzz targets, which make inputs from bytes and check every result.
 
 #[path = "../../kahan-jit/src/tests/draw.rs"]
 #[expect(dead_code, reason = "the crate has tests that draw programs in another way")]
@@ -26,8 +25,7 @@ pub use plan::read_plan;
 pub use reading::{read_csv, read_npy};
 pub use texts::read_text;
 
-/// Runs a program as machine code on arrays next to inaccessible memory. The bytes determine the
-/// program and the way to run it.
+/// Runs a random program as machine code, on arrays next to inaccessible memory.
 pub fn run_program(bytes: &[u8]) {
     hostile::Case::of(bytes).has_run();
 }

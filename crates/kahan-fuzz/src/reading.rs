@@ -28,8 +28,7 @@ const WORDS: &[&str] = &[
     "\n",
 ];
 
-/// Reads a NumPy array twice: the file consists of the bytes, then of a generated header and the
-/// bytes as numbers.
+/// Reads a NumPy array twice: from the bytes, and from a generated header with numbers.
 pub fn read_npy(bytes: &[u8]) {
     read(bytes, ".npy");
     let (numbers, header) = bytes.split_at(bytes.len().min(32));
@@ -46,8 +45,7 @@ pub fn read_csv(bytes: &[u8]) {
     read(bytes, ".csv");
 }
 
-/// Reads a file with this extension. Checks that the number of values, and that of names, agree
-/// with the shape.
+/// Reads a file, and checks that its numbers and names agree with the shape.
 fn read(bytes: &[u8], ending: &str) {
     match Numbers::<f64>::of(ending, bytes) {
         Ok(Numbers { names, sizes, values }) => {

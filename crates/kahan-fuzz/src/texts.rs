@@ -83,8 +83,7 @@ const WORDS: &[&str] = &[
     "=",
 ];
 
-/// Reads a text as a field. Checks that the field, written in the language of `kahan!`, is read as
-/// an equal field.
+/// Reads a text as a field, and checks that the printed field is read as an equal field.
 pub fn read_text(bytes: &[u8]) {
     let Some(text) = text(bytes, WORDS) else { return };
     let given = FieldText::new(text, "field".to_owned());

@@ -1,9 +1,6 @@
 //! Makes texts from bytes.
 
-/// Returns a text for a parser. The text consists of the bytes themselves, or of one token from
-/// `words` for each byte.
-///
-/// Texts of tokens are nearly correct, while texts of raw bytes contain all other characters.
+/// Returns a text for a parser: the bytes themselves, or one token of `words` for each byte.
 pub(crate) fn text(bytes: &[u8], words: &[&str]) -> Option<String> {
     let (&first, rest) = bytes.split_first()?;
     if first % 2 == 0 {

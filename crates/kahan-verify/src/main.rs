@@ -1,7 +1,7 @@
 //! Proves every formula of the paper and prints the verdicts of `kahan-paper`.
 //!
-//! Accepts no argument or `--all`. The exit status is 1 if a claim fails, 2 for other arguments,
-//! which `kahan` may accept. New users build this program first, so it depends on little else.
+//! The exit status is 1 if a claim fails, and 2 for wrong arguments. New users build this program
+//! first, so it depends on little else.
 
 use std::env::args_os;
 use std::io::{IsTerminal, Write, stderr, stdout};
@@ -76,7 +76,7 @@ fn proved(text: impl Fn(&Verdicts, usize) -> String) -> ExitCode {
     }
 }
 
-/// Prints a text; a closed pipe, as with `head`, is ignored.
+/// Prints a text. A closed pipe is ignored.
 fn print(text: &str) {
     let _ = stdout().write_all(text.as_bytes());
 }

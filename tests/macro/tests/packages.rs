@@ -1,16 +1,8 @@
 //! Tests the packages as users get them: unpacked outside of the repository, with a user's program.
 //!
-//! 1. Pack every published crate and unpack it into a temporary folder.
-//! 2. Check its licences and its README.
-//! 3. Write a crate that depends on `kahan-core` of the registry, which is replaced by these
-//!    folders. The crate runs the example of the packed README.
-//! 4. Check that cargo read no file of the repository.
-//!
-//! # Usage
-//!
-//! `cargo test -p kahan-macro-tests --test packages -- --ignored` runs this test. Usual test runs
-//! skip it, because it compiles everything again. `cargo package --workspace` checks that every
-//! crate compiles.
+//! The program runs the example of the packed README, and cargo may read no file of the repository.
+//! `cargo test -p kahan-macro-tests --test packages -- --ignored` runs this test. Usual runs skip
+//! it, because it compiles everything again.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

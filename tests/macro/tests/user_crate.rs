@@ -1,17 +1,14 @@
 //! Tests user crates that cargo builds with kahan-core as their only dependency.
 //!
-//! `cargo test -p kahan-macro-tests -- --ignored` runs these tests, and also packs the crates. The
-//! user crates share the target folder of the compile-error cases, so dependencies are compiled
-//! once. The script `.ci/run` runs Clippy on the user crates, because Clippy checks every
-//! dependency again.
+//! `cargo test -p kahan-macro-tests -- --ignored` runs these tests. The user crates share the
+//! target folder of the compile-error cases, so dependencies are compiled once.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Once;
 use std::{env, fs};
 
-/// The flags that trybuild passes to rustc. With other flags, cargo would compile every dependency
-/// again.
+/// The flags that trybuild passes to rustc. Other flags would recompile every dependency.
 const FLAGS: &str = r#"build.rustflags=["--cfg","trybuild","--verbose","-A","dead_code"]"#;
 
 fn folder() -> PathBuf {
@@ -30,8 +27,7 @@ fn cargo(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO"))
         .args(["--offline", "--config", FLAGS])
         .args(arguments)
-        // Name the target as trybuild does. Otherwise the dependencies of the macro get the flags,
-        // too, and cargo compiles all dependencies again.
+        // The target is named as by trybuild. Otherwise cargo compiles all dependencies again.
         .args(["--target", "host-tuple"])
         .current_dir(folder())
         .env("CARGO_TARGET_DIR", target)

@@ -1,5 +1,4 @@
-//! Runs the macro's code over exact numbers. All ways to take a step are asserted to agree: `step`,
-//! `try_step` and `at(ε)`. The method `step` must panic exactly at poles.
+//! Runs the macro's code over exact numbers, and asserts that all ways to take a step agree.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -28,7 +27,7 @@ type Accessor<M, R, const N: usize> = fn(&M, &SVector<Q, N>, Q) -> R;
 
 type Bracket<M, const N: usize> = (&'static str, Accessor<M, Option<SMatrix<Q, N, N>>, N>);
 
-/// A map with its accessors, which are inherent methods and differ between types.
+/// A map with its accessors, whose types differ between maps.
 struct Accessors<M, const N: usize> {
     map: M,
     integrals: Accessor<M, Vector, N>,
@@ -51,8 +50,7 @@ impl<M, const N: usize> Claims for Accessors<M, N> {
     }
 }
 
-/// Default accessors of a map without claims. A type's inherent methods take precedence over these
-/// trait methods.
+/// Default accessors of a map without claims, which a type's inherent methods hide.
 #[allow(non_snake_case)]
 trait Unclaimed<const N: usize> {
     fn integrals(&self, _x: &SVector<Q, N>, _eps: Q) -> [Q; 0] {
@@ -109,14 +107,13 @@ macro_rules! generated_catalog {
 
 with_catalog!(generated_catalog);
 
-/// Returns the result of a call. `None` if the call panics, as exact scalars do if a value is
-/// undefined.
+/// Returns the result of a call; `None` if the call panics because a value is undefined.
 fn value_of<R>(call: impl FnOnce() -> R) -> Option<R> {
     catch_unwind(AssertUnwindSafe(call)).ok()
 }
 
 impl Generated {
-    /// Makes a map without claims. Messages use its name.
+    /// Makes a map without claims.
     #[must_use]
     pub fn new(name: &'static str, map: Box<dyn Map<Q>>) -> Self {
         Self { name, map, claims: None }

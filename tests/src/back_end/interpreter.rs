@@ -17,7 +17,7 @@ use super::BackEnd;
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, product, q};
 use crate::expression::evaluate;
 
-/// A system as read by the front end. Derived objects are computed on demand.
+/// A system as read by the front end, with derived objects.
 #[derive(Debug)]
 pub struct Read {
     /// The system that was read.
@@ -48,8 +48,7 @@ impl Read {
     }
 }
 
-/// The interpreter at parameter values. It evaluates all objects at once, so results are cached.
-/// Objects free of ε are evaluated at ε = 0, where all other objects are cheap.
+/// The interpreter at parameter values, with a cache of all results.
 #[derive(Debug)]
 pub struct Interpreted {
     system: &'static System,
@@ -109,8 +108,7 @@ impl Interpreted {
         evaluation
     }
 
-    /// Returns the results of any claim, including claims for special parameters or ε. Panics if no
-    /// claim has this name.
+    /// Returns the value of any claim, even with a condition. Panics if no claim has this name.
     #[must_use]
     pub fn claim(&self, name: &str, x: &[Q], eps: &Q) -> Option<Vector> {
         let claim = self.system.claims.iter().find(|claim| claim.name.text == name);
@@ -162,8 +160,7 @@ impl BackEnd for Interpreted {
         self.at(x, eps).jacobian.as_deref().map(outward_rows)
     }
 
-    /// Uses the compiled formula for tangent vectors that generated code uses. Without such a
-    /// formula, uses the Jacobian matrix.
+    /// Uses the formula of generated code, or the Jacobian matrix if there is no formula.
     fn push_forward(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
         let plans = self.derived.plans.get_or_init(|| derive(self.system));
         let Some((_, plan)) = plans.tangent_map() else {
@@ -187,8 +184,7 @@ impl BackEnd for Interpreted {
         self.at(x, eps).det_jacobian.as_ref().map(Rational::to_big)
     }
 
-    /// Evaluates the expanded polynomials N̂, D̂ and ∏q. If they are beyond the budget of terms,
-    /// evaluates the definition.
+    /// Evaluates the expanded polynomials, or the definition if they have too many terms.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q) {
         let Some(map) = &self.derived.map else {
             let matrix = self.matrix(x, eps);

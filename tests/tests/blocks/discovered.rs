@@ -1,6 +1,5 @@
-//! Tests that blocks printed by `discover` compile unchanged. Each file in `discovered/` holds
-//! equations and the claims found for them, which the macro proves. The library must find exactly
-//! these claims from the equations.
+//! Tests that blocks printed by `discover` compile unchanged, and that the library finds exactly
+//! the claims in them.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
@@ -31,8 +30,7 @@ fn parts(file: &str) -> (Vec<&str>, String) {
     )
 }
 
-/// Compares the claims found for a file with the file's text. `map` is a value of the type compiled
-/// from the file.
+/// Compares the claims found for a file with the file's text.
 fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let (lines, equations) = parts(file);
     let system = read(&lexer::lex(&equations).tokens).system().expect("a system");

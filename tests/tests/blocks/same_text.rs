@@ -1,6 +1,5 @@
 //! Checks that rustc and the command report mistakes with equal texts at equal places. The blocks
-//! of the compile-error cases are read as text, as by `kahan show --field`. The output of rustc
-//! must contain exactly the same mistakes.
+//! of the compile-error cases are read as text.
 
 mod cases;
 
@@ -12,9 +11,8 @@ use kahan_algebra::token::Token;
 
 use cases::{CompileCase, compile_cases};
 
-/// Returns the tokens that rustc passes to the macro. The tokens of rustc differ from those of a
-/// text. In a text, `**` is a power and `.5` is a number; rustc passes two stars, and a point
-/// followed by a number.
+/// Returns the tokens that rustc passes to the macro. Rustc splits `**` into two stars, and `.5`
+/// into a point and a number.
 fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     let Lexed { tokens, ranges, .. } = lex(text);
     let split = |(token, range): (Token, Range<usize>)| {

@@ -1,6 +1,4 @@
-//! Tests that the front end never panics, and reports inputs that are too large. Random tokens and
-//! mutated blocks go through lexer, parser, checker and prover. The seed is fixed, so failures are
-//! reproducible.
+//! Tests that the front end never panics on random tokens, mutated blocks and large inputs.
 
 use std::ops::Range;
 

@@ -1,6 +1,4 @@
-//! Compares the interpreter with generated code, for the catalog and random fields of dimensions 1
-//! to 6. All objects must be equal over ℚ. The expression tree of each random field is an
-//! independent reference.
+//! Compares the interpreter with generated code over ℚ, for the catalog and random fields.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{Rationals, q};

@@ -1,6 +1,5 @@
-//! Tests the laws of Kahan's map over ℚ, for the catalog and random fields, in both back ends, at
-//! seeded points. The references use only values of f, whose differences are exact for quadratic f.
-//! A wrong bilinear form is therefore compared with an independent one.
+//! Tests the laws of Kahan's map over ℚ, in both back ends, at seeded points. The references use
+//! only values of the field.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{

@@ -1,5 +1,4 @@
-//! Tests over ℚ that zeros of the field are fixed points of the map, for the catalog and random
-//! fields.
+//! Tests over ℚ that zeros of the field are fixed points of the map.
 
 use std::cell::{Cell, RefCell};
 

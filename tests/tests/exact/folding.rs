@@ -1,5 +1,4 @@
-//! Tests that a `const` parameter is substituted before the map is reduced. The compiled formulas
-//! are then those of the special system.
+//! Tests that a `const` parameter is substituted before the map is reduced.
 
 use kahan_algebra::plan::{Operation, Plan, StepPlan};
 use kahan_tests::expression::read_unproved;
@@ -10,8 +9,7 @@ fn plan(text: &str) -> StepPlan {
     StepPlan::of(&read_unproved(text).field).expect("a field of three variables has a closed form")
 }
 
-/// Counts additions, multiplications and divisions. A multiply-add counts as an addition and a
-/// multiplication.
+/// Counts additions, multiplications and divisions. A multiply-add counts as two operations.
 fn counts(plan: &Plan) -> [usize; 3] {
     let mut counts = [0; 3];
     for operation in &plan.operations {

@@ -1,7 +1,5 @@
-//! Checks the cases of the reference files over ℚ, in both back ends. If a file omits a value
-//! (`null`), the value must be undefined here, too: the accessor of an exact scalar panics, and the
-//! interpreter returns `None`. The catalog's bracket Q is Q(ε)/c, so c times it equals Q of the
-//! file.
+//! Checks the cases of the reference files over ℚ, in both back ends. A value that a file omits
+//! must be undefined here, too.
 
 use std::cell::Cell;
 
@@ -157,8 +155,7 @@ fn upper(matrix: &Matrix) -> Vector {
     (0..matrix.len()).flat_map(|i| matrix[i][i + 1..].to_vec()).collect()
 }
 
-/// Compares `factor` times a claim with a condition to the entry of the file. Returns the number of
-/// comparisons.
+/// Compares `factor` times a claim with an entry of the file. Returns the number of comparisons.
 fn compare_claim(subject: &Subject, claim: &str, factor: &Q, case: Entry<'_>, key: &str) -> usize {
     let (x, eps) = (case.vector("x").expect("a point"), case.scalar("eps").expect("eps"));
     let Some(expected) = case.scalar(key).map(|value| vec![value]) else { return 0 };

@@ -1,5 +1,4 @@
-//! Tests that n steps forward and n steps back return to the start: exactly over ℚ, and in floats
-//! within the bound that `Orbit` documents.
+//! Tests that n steps forward and n steps back return to the start, exactly or within a bound.
 
 use kahan_core::prelude::*;
 use kahan_systems::{E1, E3, E6, EulerTop, LotkaVolterra};
@@ -28,9 +27,8 @@ fn norm<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
     (0..N).map(|i| (0..N).map(|j| matrix[(i, j)].abs()).sum()).fold(0.0, f64::max)
 }
 
-/// Returns the distance from the start, and the bound δ₀ + 2Σ ‖∂φ⁻ᵏ(xₖ)‖·δₖ for the map φ. The
-/// number δₖ = 16u‖xₖ‖ bounds the error of a step at ordinary points (ε‖f′‖ ≤ 1, |D| ≥ ¼), where u
-/// is the unit roundoff.
+/// Returns the distance from the start and a bound. The bound sums the errors of all steps, each
+/// multiplied by the norm of the Jacobian matrix of the steps back.
 fn distance_and_bound<M: KahanMap<f64, N>, const N: usize>(
     map: &M,
     start: [f64; N],
@@ -45,7 +43,7 @@ fn distance_and_bound<M: KahanMap<f64, N>, const N: usize>(
     let mut power: SMatrix<f64, N, N> = SMatrix::from_fn(|i, j| f64::from(u8::from(i == j)));
     let mut bound = delta(&start);
     for x in &points[1..] {
-        // Use the chain rule ∂φ⁻⁽ᵏ⁺¹⁾(xₖ₊₁) = ∂φ⁻ᵏ(xₖ)·∂φ⁻¹(xₖ₊₁).
+        // By the chain rule, the Jacobian matrix of several steps back is a product.
         power *= map.jacobian(x, -eps);
         bound += 2.0 * norm(&power) * delta(x);
     }
@@ -61,9 +59,8 @@ fn comes_home<M: KahanMap<f64, N>, const N: usize>(name: &str, map: &M, start: [
     measured[2]
 }
 
-/// The bound is useful on periodic orbits, too. With the unit roundoff u, a step's rounding error
-/// is about 20 times smaller than 16u. 4000 errors of random sign grow like the square root of
-/// their number. So the distance is about a thousandth of the bound.
+/// A step's error is about 20 times smaller than its bound, and 4000 errors of random sign partly
+/// cancel. The distance is about a thousandth of the bound.
 #[test]
 fn there_and_back_is_within_the_bound_in_floats() {
     comes_home("E1", &E1, [0.5, 1.0, 0.25]);

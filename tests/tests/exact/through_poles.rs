@@ -1,12 +1,7 @@
 //! Tests that projective orbits agree with `kahan poles` and with limits of nearby orbits.
 //!
-//! 1. Take a rational point on each curve that a map sends to infinity or contracts.
-//! 2. Check that the projective orbit is at infinity exactly where the curve's image is.
-//! 3. Move the point by a tiny rational δ and compute the ordinary exact orbit. The simplest
-//!    rational numbers near its coordinates, or near their quotients, must be those of the
-//!    projective orbit.
-//! 4. Check over `f64` that the orbit from the rounded point agrees with the exact orbit from the
-//!    rounded point.
+//! The orbits begin at rational points of the curves that a map contracts or sends to infinity.
+//! They are compared with ordinary exact orbits from nearby points, and with orbits over `f64`.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -30,8 +25,7 @@ type Map = Interpreted<Q, N>;
 /// The number of steps computed for a curve whose singularity is never confined.
 const STEPS: usize = 4;
 
-/// Returns the first convergent of a number's continued fraction that lies within `distance` of the
-/// number.
+/// Returns the first convergent of a continued fraction within `distance` of the number.
 fn simplest_near(number: &Q, distance: &Q) -> Q {
     let (mut rest, mut before, mut last) =
         (number.clone(), (BigInt::zero(), BigInt::one()), (BigInt::one(), BigInt::zero()));
@@ -52,9 +46,8 @@ fn bits(point: &ProjectivePoint<Q, N>) -> usize {
     point.coordinates().iter().map(of).max().unwrap_or(0) as usize
 }
 
-/// Returns the limit of the n-th points of moved orbits if its numbers have at most `bits` bits,
-/// and whether the limit is at infinity. A point at infinity is a direction whose largest
-/// coordinate is 1.
+/// Returns the limit of the n-th points of nearby orbits, and whether the limit is at infinity. A
+/// limit at infinity is a direction whose largest coordinate is 1.
 fn tends_to(map: &Map, x: &SVector<Q, N>, eps: &Q, n: usize, bits: usize) -> (SVector<Q, N>, bool) {
     let power = |k: usize| Q::new(BigInt::one(), BigInt::one() << k);
     let (delta, near) = (power(6 * bits + 600), power(3 * bits + 100));
@@ -136,8 +129,7 @@ fn follow_all(subject: &Subject, eps: &Rational) -> usize {
     followed
 }
 
-/// The error bound of projective orbits over `f64`, relative to the largest coordinate. It is 2¹⁶ u
-/// with the unit roundoff u = 2⁻⁵³, ten bits more than the 64 u of an ordinary step.
+/// The error bound of projective orbits over `f64`, relative to the largest coordinate.
 const BOUND: f64 = 65536.0 * f64::EPSILON / 2.0;
 
 fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {

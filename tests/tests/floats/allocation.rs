@@ -1,5 +1,4 @@
-//! Tests that steps over floats allocate no memory. The allocator of this program counts the
-//! allocations of a thread.
+//! Tests that steps over floats allocate no memory.
 
 use allocation_counter::measure;
 use kahan_core::__private::{Boundary, Sizes, Stencil};
@@ -193,8 +192,7 @@ kahan! {
     for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
 }
 
-/// Asserts that a chain at ε stores at most 3h + 12 numbers for each unknown, where h is the half
-/// bandwidth.
+/// Asserts that a chain of half bandwidth h stores at most 3h + 12 numbers for each unknown.
 fn holds_few_numbers<M: LatticeMap<f64>>(map: &M, half_bandwidth: usize) {
     const SITES: usize = 12_000;
     let mut state: Vec<f64> = (0..SITES * M::BLOCK).map(|k| 1.0 + 0.1 * (k as f64).sin()).collect();

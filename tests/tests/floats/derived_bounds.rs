@@ -1,6 +1,5 @@
 //! Tests that float steps are within the bound derived in `rounding`, and that nothing panics.
-//! Points and ε are dyadic with few bits, so both float types represent them exactly and no product
-//! underflows.
+//! Points and ε have few bits, so both float types represent them exactly.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Pivot;
@@ -40,8 +39,7 @@ fn subjects() -> Vec<Subject> {
     paper().into_iter().chain(random()).collect()
 }
 
-/// Compares a float step with the exact step. Returns the bound relative to x̃, if there is a
-/// bound.
+/// Checks a float step against its bound. Returns the bound relative to the exact step.
 fn compare<T: Float>(
     subject: &Subject,
     bound: &StepBound<'_>,
@@ -80,8 +78,7 @@ fn ordinary_points_stay_within_the_bound<T: Float>(seed: u64) {
         }
         judged.sort_by(f64::total_cmp);
         assert!(judged.len() >= 9, "{} (seed {seed}): only {} points judged", subject.name, judged.len());
-        // At half of the points the bound must detect errors of 2²⁰ u (10⁻¹⁰ for f64, 0.06 for
-        // f32), where u is the unit roundoff.
+        // At half of the points the bound must be at most 2²⁰ units of roundoff.
         let median = judged[judged.len() / 2];
         assert!(median <= T::UNIT * 2_f64.powi(20), "{} (seed {seed}): a bound of {median:e}", subject.name);
     }
@@ -179,8 +176,7 @@ fn no_input_panics<T: Float>(seed: u64) {
     }
 }
 
-/// Runs with less stack than the usual 2 MiB of Rust's threads, although tests are not optimised.
-/// The test reaches all precisions of `try_step`.
+/// Runs with less stack than the usual 2 MiB of Rust's threads.
 fn on_a_small_stack(run: fn()) {
     let thread = std::thread::Builder::new().stack_size(3 << 19).spawn(run).expect("a thread");
     thread.join().expect("no panic");

@@ -1,11 +1,8 @@
 //! Compares steps computed in double-double and rounded to `f64` with exact steps, near true poles.
 //!
-//! Points and ε have all bits, at a relative distance δ from a zero of det A along ε or a
-//! coordinate, where the map is unbounded. Components without cancellation have a relative error of
-//! a few dozen u²/δ, where u = 2⁻⁵³; rounding to `f64` adds half an ulp. The sum is at most 0.5 +
-//! 1e-5 ulp down to δ = 1e-9, and 0.6 ulp at 1e-12. If x̃ᵢ = xᵢ + increment nearly cancels, the
-//! inputs have too few digits, and the error is small only relative to ‖x̃‖. The final test shows
-//! points of this kind.
+//! At a relative distance δ from a pole, the relative error in double-double is a few dozen u²/δ,
+//! where u = 2⁻⁵³. If a component nearly cancels, its error is small only relative to the largest
+//! component.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Dd;
@@ -53,8 +50,7 @@ fn is_positive(subject: &Subject, place: &Place) -> bool {
     subject.generated.det_matrix(&place.state(), &exact(place.eps)).is_positive()
 }
 
-/// Returns the double next to a zero of det A. The number with index i varies, by bisection with
-/// exact signs.
+/// Returns the double next to a zero of det A, by bisection of the number with index i.
 fn zero_between(subject: &Subject, place: &Place, i: usize, mut low: f64, mut high: f64) -> Option<f64> {
     let sign_at = |value: f64| is_positive(subject, &place.with(i, value));
     let sign = sign_at(low);
@@ -139,8 +135,7 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
                 break;
             }
             let numbers = subject.dimension() + 1;
-            // Coordinates of different sizes would avoid poles. For example, E3 has none if x and y
-            // are large compared with z.
+            // Coordinates have similar sizes, because others would avoid poles.
             let x = (1..numbers)
                 .map(|_| 2.0_f64.powi(2 - draws.below(4) as i32) * signed_unit(&mut draws))
                 .collect();
@@ -159,12 +154,10 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
     }
 }
 
-/// Steps onto a coordinate plane. The start is the rounded preimage of a point with x̃ᵢ = 0, so x̃ᵢ
-/// is as small as the rounding errors of the inputs.
+/// Steps onto a coordinate plane, where a component is as small as the rounding errors.
 #[test]
 fn a_component_that_cancels_is_exact_against_the_others() {
-    /// The bound on a component's error beyond half an ulp, in u²·‖x̃‖/|det A| with u = 2⁻⁵³. The
-    /// measured value is 1.6.
+    /// The bound on an error, in u²·‖x̃‖/|det A| with u = 2⁻⁵³. The measured value is 1.6.
     const BOUND: f64 = 8.0;
     let (mut worst, mut worst_in_ulps, mut shown) = (0.0_f64, 0.0_f64, String::new());
     for (index, (subject, map)) in paper().iter().zip(steps::<Dd>()).enumerate() {

@@ -1,8 +1,6 @@
-//! Tests steps for every size of ε. Steps divided by the time step use another form for zero, tiny
-//! and huge ε. Steps must be accurate at the borders between the forms and far beyond. For ε‖f′‖ ≪
-//! u, the unit roundoff, the error is at most ½ ulp from rounding x + increment, plus the effect of
-//! an increment far below the last digit. For large ε the error is at most 64 u ‖exact‖∞, as
-//! `try_step` guarantees.
+//! Tests steps for every size of ε, in particular at the borders between different forms of a step.
+//! For small ε the error is about half an ulp. For large ε it is at most 64 u times the largest
+//! component, as `try_step` guarantees, where u is the unit roundoff.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_tests::back_end::BackEnd;

@@ -3,17 +3,10 @@
 //! # Bounds
 //!
 //! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component errs by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of
-//!   fᵢ|, evaluated at the larger of |xⱼ| and |x̃ⱼ| for each variable. The half ulp comes from
-//!   rounding x + increment. The increment differs by a few roundings from 2ε times the polarised
-//!   field, whose terms may cancel. With |xⱼ| only, the bound would fail if one component is tiny
-//!   compared with others: its increment is then of second order, ε²f′f. E6 at ε ≈ 6.6e-5 from
-//!   (2.9, 3.0e-9, 4.0e-7) exceeds it 53 times, because z̃ nearly cancels.
-//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞). Steps
-//!   to points near the origin cancel, so ‖exact‖∞ does not suffice: Weierstrass' equation reached
-//!   207 u of ‖exact‖∞ = 0.009 from ‖x‖∞ = 0.15.
+//!   fᵢ|, evaluated at the larger of |xⱼ| and |x̃ⱼ| for each variable.
+//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞).
 //!
-//! Inputs are doubles with all bits. Large samples, outside of `cargo test`, are compared with
-//! double-double instead of exact steps.
+//! Large samples are compared with double-double instead of exact steps.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::symbols::Symbol;
@@ -52,8 +45,7 @@ fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     sums.collect()
 }
 
-/// A system with its map over doubles and its reference. The reference is a map in double-double,
-/// or `None` for exact steps.
+/// A system with its map over doubles. `judge` is a map in double-double; `None` for exact steps.
 struct Case {
     subject: Subject,
     map: Box<dyn Steps<f64>>,
@@ -122,8 +114,7 @@ fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
     worst
 }
 
-/// Takes steps from ordinary points. Returns the largest error in units of u max(‖x‖∞, ‖x̃‖∞),
-/// where u is the unit roundoff.
+/// Takes steps from ordinary points. Returns the largest error in units of roundoff.
 fn ordinary_steps(case: &Case, seed: u64, points: usize) -> Worst {
     let subject = &case.subject;
     let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));

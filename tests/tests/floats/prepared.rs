@@ -1,5 +1,4 @@
-//! Tests that all ways to take a step yield equal bits: `step`, the prepared map, orbits and the
-//! interpreter.
+//! Tests that all ways to take a step yield equal bits.
 
 use kahan_algebra::arithmetic::{Arithmetic, Float32, Float64};
 use kahan_algebra::derive;
@@ -59,9 +58,7 @@ fn every_way_to_step_gives_the_same_bits_in_single_precision() {
     every_way_gives_the_same_bits::<f32>(502);
 }
 
-/// Compares the interpreter with generated code. On targets with fused multiply-adds, generated
-/// code rounds a multiply-add once and the interpreter twice. For these targets, the folder
-/// `floats` has error bounds for both.
+/// Targets with fused multiply-adds round a multiply-add once, and the interpreter rounds it twice.
 #[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn the_interpreter_steps_with_the_same_bits() {

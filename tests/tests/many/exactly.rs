@@ -1,5 +1,4 @@
-//! Tests the defining equation over ℚ, also where leading minors of A vanish in the order of
-//! elimination.
+//! Tests the defining equation over ℚ, also where elimination meets vanishing minors.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;

@@ -1,5 +1,4 @@
-//! Checks the guarantee of `try_step` exactly, and that compiled and run-time fields yield equal
-//! bits.
+//! Tests `try_step` against exact steps, and compiled fields against run-time fields.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ExtendScalars;
@@ -71,8 +70,7 @@ where
     worst
 }
 
-/// Checks `try_step` at points of ordinary and mixed sizes, some with zeros, and for ε from 1e-6 to
-/// 1e3.
+/// Checks `try_step` at points of ordinary and mixed sizes, for ε from 1e-6 to 1e3.
 fn keeps_its_promise<T, M, const N: usize>(map: &M, seed: u64, count: usize)
 where
     T: Judged,
@@ -94,8 +92,7 @@ where
                 let error = backward_error(map, &x, &eps, &next);
                 assert!(error.to_f64().expect("a float") <= promise, "{error} at {x:?}, {eps:?}");
             }
-            // For extreme numbers every precision may fail. Steps at ordinary points fail at poles
-            // only.
+            // Steps at extreme points may fail. Steps at ordinary points fail at poles only.
             Err(_) if sizes == T::SIZES => {}
             Err(why) => {
                 let determinant =

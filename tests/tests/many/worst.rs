@@ -11,8 +11,7 @@ fn state(delta: f64) -> SVector<f64, 12> {
     x
 }
 
-/// A change of δ by 2⁻⁴⁰ changes x̃ by at most about a thousand times as much. Elimination with a
-/// pivot of 2⁻⁴¹ would lose 40 bits.
+/// The result must not lose digits, although elimination with a pivot of 2⁻⁴¹ would lose 40 bits.
 #[test]
 fn a_pivot_near_zero_costs_no_digits() {
     let next = Ring.step(&state(0.0), 0.5);

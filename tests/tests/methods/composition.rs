@@ -8,8 +8,7 @@ use kahan_tests::taylor::{distance, flow};
 
 type Point = SVector<Q, 3>;
 
-/// Returns the weights γ of a symmetric composition with rational coefficients. Preservation of
-/// structures does not depend on the order conditions.
+/// Returns the weights of a symmetric composition with rational coefficients.
 fn gammas() -> [Q; 5] {
     [q(2, 3), q(-3, 4), q(7, 6), q(-3, 4), q(2, 3)]
 }
@@ -56,8 +55,8 @@ fn integrals_without_eps_survive_and_those_with_eps_do_not() {
     assert_ne!(E3.integrals(&e3, eps.clone())[1], E3.integrals(&x, eps)[1]);
 }
 
-/// The integrals H and K have a common denominator, and det ∂x̃/∂x is the square of its cofactor.
-/// So the composition preserves H/K and the density c/(HK), but neither H nor K.
+/// The integrals H and K have a common denominator. A composition preserves H/K and the density
+/// c/(HK), but neither H nor K.
 fn keeps_the_ratio_and_the_measure<M>(name: &str, map: &M, density: impl Fn(&M, &Point, Q) -> Q)
 where
     M: KahanMap<Q, 3> + Integrals<Q, 3, 2>,
@@ -79,8 +78,7 @@ fn the_ratio_of_two_integrals_with_one_denominator_survives() {
     keeps_the_ratio_and_the_measure("E6", &E6, E6::density);
 }
 
-/// Tests that the composition preserves (α₃y² − α₂z²)/(α₁z² − α₃x²). The density is the reciprocal
-/// of the product of both terms.
+/// Tests that the composition preserves (α₃y² − α₂z²)/(α₁z² − α₃x²).
 #[test]
 fn the_euler_top_keeps_the_ratio_of_its_quadratic_forms() {
     let (x, eps) = start();
@@ -110,9 +108,7 @@ where
     })
 }
 
-/// Asserts the slope of log(error) for each halving of ε. At these times errors exceed 10⁻²⁶, far
-/// above rounding (10⁻³¹) and the Taylor series (10⁻³⁰). The next order, 2 more, changes slopes by
-/// less than the tolerance.
+/// Asserts the slope of log(error) for each halving of ε. All errors are far above rounding.
 fn has_its_order<M, const N: usize>(name: &str, map: &M, start: [f64; N])
 where
     M: KahanMap<Dd, N>,

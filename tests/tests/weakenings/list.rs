@@ -1,5 +1,4 @@
-//! The list of weakenings. Each has a file, a text in the file, its replacement, and the tests that
-//! must fail.
+//! The list of weakenings, each with the tests that must fail.
 
 /// A change that weakens a proof, or the code that a test checks.
 pub(crate) struct Weakening {

@@ -1,5 +1,4 @@
-//! Weakenings of machine code: the encoder, registers and stack slots, routines, and programs of
-//! steps.
+//! Weakenings of machine code, and of programs of steps.
 
 use super::list::Weakening;
 

@@ -1,15 +1,9 @@
 //! Mutation tests of code with proofs in comments. Each weakening of a line must make a test fail.
 //!
 //! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all
-//! weakenings in about twenty minutes. KAHAN_WEAKENING=WORDS selects weakenings by name or file.
-//! With `change` instead of `every`, it tries the weakenings of files changed since KAHAN_BASE
-//! (default: the last commit twelve hours older than HEAD), and four others chosen by the hash of
-//! HEAD. It stops after [`MINUTES`] with a count.
-//!
-//! Each weakening is applied to a copy of the workspace in the target folder, where its tests run;
-//! the workspace itself never changes. The copy reuses the workspace's builds. The run fails if a
-//! text does not occur exactly once, if the copy does not compile, or if the tests fail without a
-//! weakening.
+//! weakenings in about twenty minutes, on a copy of the workspace in the target folder. With
+//! `change` instead of `every`, it tries the weakenings of files changed since KAHAN_BASE, and four
+//! others. KAHAN_WEAKENING=WORDS selects weakenings by name or file.
 
 #![cfg(unix)]
 
@@ -48,8 +42,7 @@ fn folder() -> PathBuf {
     builds().with_file_name("weakenings").join("workspace")
 }
 
-/// Returns the folder for builds of the copy. Cargo identifies crates by their path in a workspace,
-/// so a shared folder would confuse weakened crates with original crates.
+/// Returns the folder for builds of the copy, apart from builds of the original crates.
 fn target() -> PathBuf {
     folder().with_file_name("target")
 }
@@ -60,7 +53,7 @@ fn copy_workspace() {
     if found {
         return update(root(), &folder());
     }
-    // Keep modification times, so that builds stay valid. An unfinished copy has another name.
+    // Modification times are kept, so that builds stay valid.
     let begun = made.with_extension("begun");
     let builds = builds();
     copy(root(), &begun.join("workspace"), &|path| !is_left_out(path));
@@ -98,8 +91,7 @@ fn copy(from: &Path, to: &Path, is_copied: &dyn Fn(&Path) -> bool) {
     }
 }
 
-/// Makes one folder equal to another. Equal files keep their modification times, hence their
-/// builds.
+/// Makes one folder equal to another. Equal files keep their times, hence their builds.
 fn update(from: &Path, to: &Path) {
     fs::create_dir_all(to).expect("a folder can be made");
     for path in entries(to) {
@@ -135,7 +127,6 @@ fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Opti
         let rest = words.split(' ').skip_while(|word| *word != "--");
         command.args(rest);
     }
-    // A crate is compiled repeatedly, each time with one changed line.
     command.current_dir(folder()).env("CARGO_TARGET_DIR", target()).env("CARGO_INCREMENTAL", "1");
     command.stdout(Stdio::null()).stderr(Stdio::null());
     let Some(deadline) = deadline else { return Some(command.status().expect("cargo runs").success()) };
@@ -201,10 +192,9 @@ fn hash(commit: &str, name: &str) -> u64 {
 /// Tries weakenings, grouped by their tests. Panics if a weakening makes no test fail.
 fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     copy_workspace();
-    // A weakening of a crate recompiles its dependents, so the front end comes last.
+    // Weakenings of the front end come last, because they recompile most crates.
     let mut chosen = chosen.to_vec();
     chosen.sort_by_key(|weakening| weakening.file.starts_with("crates/kahan-algebra/"));
-    // Order the groups by their first weakening.
     let mut commands: Vec<&str> = Vec::new();
     let mut groups: BTreeMap<&str, Vec<&Weakening>> = BTreeMap::new();
     for &weakening in &chosen {

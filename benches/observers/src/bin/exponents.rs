@@ -1,7 +1,5 @@
 //! A process that computes Lyapunov exponents and stability maps on request. `numba/exponents.py`
-//! alternates between this process and loops compiled by Numba. The answer to a line `e6 STEPS`,
-//! `lorenz STEPS` or `map STEPS` is the time in seconds. The exponent of the orbit, or the smaller
-//! alignment index (SALI) of each cell, follows.
+//! alternates between this process and loops compiled by Numba.
 
 use std::hint::black_box;
 use std::io::{self, BufRead, Write};

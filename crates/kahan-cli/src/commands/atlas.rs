@@ -46,14 +46,14 @@ impl Atlas {
     }
 }
 
-/// The file DIR/index.html while it is made. The file appears as a whole or not at all.
+/// The unfinished file DIR/index.html. The file appears only when it is complete.
 pub(super) struct Index {
     path: PathBuf,
     since: Instant,
 }
 
 impl Index {
-    /// Makes the folder, if needed, and checks that the file can be written.
+    /// Creates a missing folder, and checks that the file can be written.
     pub(super) fn begin(folder: &Path) -> Result<Self, UsageError> {
         let since = Instant::now();
         let shown = folder.display();
@@ -68,19 +68,19 @@ impl Index {
         }
         fs::create_dir_all(folder).map_err(|error| refused(&error.to_string()))?;
         let path = folder.join("index.html");
-        // The stream is dropped at once, so that no file remains if the work is interrupted.
+        // Dropping the stream removes its temporary file.
         drop(OutputStream::file(&path, "--out")?);
         Ok(Index { path, since })
     }
 
-    /// Returns the date, without the time of day, and the seconds that the work has taken.
+    /// Returns today's date, and the time since `begin` in seconds.
     pub(super) fn making(&self) -> PageCreation {
         let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let date = now.split('T').next().unwrap_or_default().to_owned();
         PageCreation { date, seconds: self.since.elapsed().as_secs_f64() }
     }
 
-    /// Writes the page. Returns an answer with the page's path, `holds`, the size and the time.
+    /// Writes the page, and returns an answer that describes the file.
     pub(super) fn put(self, text: &str, holds: &str, decimals: usize) -> Result<Answer, UsageError> {
         OutputStream::file(&self.path, "--out")?.put(text)?;
         let (path, size) = (self.path.display(), text.len() as f64 / 1e6);

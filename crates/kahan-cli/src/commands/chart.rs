@@ -1,5 +1,4 @@
-//! The command `kahan chart`. Over one coordinate or parameter it draws an observable of orbits as
-//! a curve; over two, in colours.
+//! The command `kahan chart`, which draws an observable of orbits over one or two quantities.
 
 mod rows;
 
@@ -48,7 +47,7 @@ use rows::Rows;
 Examples:
   kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
-// Rows contain ε, and --over may give ε.
+// Rows of a file or --over may give ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Chart {
     #[command(flatten)]
@@ -102,7 +101,7 @@ pub(crate) struct Chart {
     json: bool,
 }
 
-/// The options that describe orbits; --from excludes them.
+/// The options of orbits, which cannot be combined with --from.
 const OF_ORBITS: [&str; 12] = [
     "system",
     "field",
@@ -118,7 +117,7 @@ const OF_ORBITS: [&str; 12] = [
     "reembed",
 ];
 
-/// Parses a colour: an observable with one value, or a column. The help does not list columns.
+/// Parses an observable with one value, or the name of a column. The help lists observables only.
 #[derive(Clone, Copy)]
 struct Colours;
 
@@ -131,8 +130,7 @@ impl TypedValueParser for Colours {
         arg: Option<&Arg>,
         value: &OsStr,
     ) -> Result<ColourColumn, clap::Error> {
-        // `ColourColumn::named` accepts all listed names, so here `listed` only words the refusal
-        // of other names.
+        // Only unknown names get here, so clap refuses them.
         let refused = |()| {
             listed().parse_ref(cmd, arg, value).map(|of| ColourColumn::named(of.name()).expect("listed"))
         };
@@ -166,7 +164,7 @@ impl QuestionCommand for Chart {
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
-        // The first range of a chart varies fastest, as does the last axis of a question.
+        // A chart's first range varies fastest, and so does a question's last axis.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))
     }

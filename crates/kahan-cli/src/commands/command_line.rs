@@ -10,14 +10,13 @@ use serde_json::{Value, json};
 
 use crate::printing::{Answer, UsageError};
 
-/// A command that asks a question. The arguments of the command determine the question, and the
-/// question determines the arguments.
+/// A command whose arguments can be read as a question and written from a question.
 pub(crate) trait QuestionCommand: Args + FromArgMatches {
     type Question: PartialEq + Serialize;
 
     fn read_question(&self) -> Result<(Study, Self::Question), UsageError>;
 
-    /// Appends the options that ask this question, without default values.
+    /// Appends the options of a question that differ from the defaults.
     fn options(asked: &Self::Question, line: CommandLine) -> CommandLine {
         line.with_changed_options::<Self>(asked)
     }
@@ -36,8 +35,8 @@ impl CommandLine {
         CommandLine { command, words: system.to_vec() }
     }
 
-    /// Appends the options of `A` that differ from their defaults. Arguments have the names of the
-    /// fields of `read_question`.
+    /// Appends the options of `A` that differ from their defaults. Fields of `asked` are named like
+    /// options.
     pub(crate) fn with_changed_options<A: Args>(self, asked: &impl Serialize) -> Self {
         let command = A::augment_args(clap::Command::new(self.command));
         let fields = json!(asked);
@@ -45,7 +44,6 @@ impl CommandLine {
             let argument = command.get_arguments().find(|argument| argument.get_id() == name)?;
             let usual: Vec<&str> =
                 argument.get_default_values().iter().filter_map(|of| of.to_str()).collect();
-            // If the option has no delimiter, it is repeated for each value.
             let takes_all = argument.get_value_delimiter().is_some();
             let is_repeated = matches!(argument.get_action(), ArgAction::Append) && !takes_all;
             let values = match value {

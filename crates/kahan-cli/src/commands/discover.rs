@@ -1,5 +1,4 @@
-//! The command `kahan discover`, which prints everything that `kahan-discover` finds a map to
-//! preserve.
+//! The command `kahan discover`, which searches for everything that a map preserves.
 
 use std::iter;
 use std::path::PathBuf;
@@ -124,7 +123,7 @@ impl QuestionCommand for Discover {
 
 const SOURCE_WIDTH: usize = 100;
 
-/// Returns the summary, then all claims together, so that they can be copied at once.
+/// Returns the summary, followed by all claims in one piece.
 fn text(found: &Discovered) -> String {
     let report = &found.report;
     let numbers = numbers(found).rows.into_iter().skip(1);
@@ -141,7 +140,7 @@ fn text(found: &Discovered) -> String {
     paragraphs(groups.chain(Some(claims).filter(|claims| !claims.is_empty())))
 }
 
-/// Returns the modified Hamiltonians that have a compact form, with the meaning of their symbols.
+/// Returns the compact modified Hamiltonians, with definitions of the symbols in them.
 fn modified<'a>(
     found: &Discovered,
     compact: impl Iterator<Item = &'a HamiltonianReport>,
@@ -154,7 +153,7 @@ fn modified<'a>(
     Some(lines)
 }
 
-/// Returns the fixed values as `, when a = 1, eps = 1/2`. The text is empty if no value is fixed.
+/// Returns a text such as `, when a = 1, eps = 1/2`, or no text if no value is fixed.
 fn condition(found: &Discovered) -> String {
     let parameters = found.fixed.iter().map(|(name, value)| format!("{name} = {value}"));
     let fixed: Vec<String> = parameters.chain(found.eps.as_ref().map(|eps| format!("eps = {eps}"))).collect();

@@ -1,5 +1,4 @@
-//! The command `kahan extremes`, which judges the accuracy of floats at extreme inputs by exact
-//! arithmetic.
+//! The command `kahan extremes`, which compares steps in floats with exact steps.
 
 use clap::Args;
 use kahan_judge::{BrokenPromises, Cell, CellKey, Extremes as Question, Judged, usual_subjects};
@@ -169,8 +168,7 @@ fn row((place, cell): (&CellKey, &Cell)) -> Vec<String> {
     ]
 }
 
-/// Formats a number of failures. If n trials have no failure, the rate is below 3/n at 95 %, since
-/// (1 − 3/n)ⁿ ≈ 1/20.
+/// Formats a number of failures. After n trials without failure, the rate is below 3/n at 95 %.
 fn silently_wrong(cell: &Cell) -> String {
     match cell.silently_wrong {
         0 => format!("0, < 3/{} at 95 %", cell.trials),

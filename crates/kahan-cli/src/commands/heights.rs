@@ -82,8 +82,7 @@ impl QuestionCommand for Heights {
     }
 }
 
-/// Returns a row for each step in `steps`: n, the heights, and the number of digits of the longest
-/// fraction.
+/// Returns rows of heights, each with the step and the digits of the longest fraction.
 fn rows(found: &HeightsFound, steps: Vec<usize>, name: fn(&String) -> String) -> Rows {
     let row = |step: usize| {
         let heights = &found.survey.heights[step];
@@ -137,8 +136,7 @@ fn complaint(found: &HeightsFound) -> Option<String> {
     })
 }
 
-/// Returns the numbers of the rows that fit on a screen. A short table is shown as a whole; of a
-/// long one, fewer and fewer rows are shown, and the last row.
+/// Chooses the rows to print: all rows of a short table, ever fewer of a long one.
 fn shown_rows(count: usize) -> Vec<usize> {
     const ALL: usize = 26;
     if count <= ALL {

@@ -36,7 +36,7 @@ pub(crate) struct ImageOptions {
     paper: bool,
 }
 
-/// Reads WIDTHxHEIGHT; axes need a ratio of at most 4.
+/// Parses WIDTHxHEIGHT. One side is at most four times the other.
 fn pixels(text: &str) -> Result<(u32, u32), String> {
     let sides = text.split_once(['x', 'X', '×']);
     let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=8192).contains(side));
@@ -54,8 +54,7 @@ impl ImageOptions {
         line.with_changed_options::<Self>(&said)
     }
 
-    /// Returns the canvas. If no size is given, it has the size of `usual`, or for print the width
-    /// of a column.
+    /// Returns the canvas. Without --size, `usual` gives the size; paper is one column wide.
     pub(super) fn sheet(&self, mut usual: Canvas) -> Canvas {
         let theme = if self.paper { Theme::Paper } else { self.theme };
         match self.size {
@@ -84,7 +83,7 @@ impl OutFile {
         Ok(OutFile { sink: OutputStream::file(path, "--out")?, format })
     }
 
-    /// Opens a file; its name decides whether it will hold a picture or a table.
+    /// Opens a file for a table or a picture, according to the file's extension.
     pub(super) fn picture_or_table(path: &Path) -> Result<Self, UsageError> {
         if is_table(path) {
             return Ok(OutFile { sink: OutputStream::file(path, "--out")?, format: None });

@@ -1,5 +1,4 @@
-//! The command `kahan lift`, which shows an equivalent quadratic field with the relations between
-//! its variables.
+//! The command `kahan lift`, which turns a field into an equivalent quadratic field.
 
 use std::path::PathBuf;
 

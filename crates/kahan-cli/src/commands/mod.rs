@@ -1,5 +1,4 @@
-//! The commands, with one module each. A command takes arguments, and returns an [`Answer`] or a
-//! [`UsageError`].
+//! The commands. Each turns its arguments into an [`Answer`] or a [`UsageError`].
 
 mod command_line;
 mod image_options;
@@ -12,9 +11,7 @@ use command_line::{CommandLine, QuestionCommand};
 
 /// Declares the commands, each in a module of its name.
 ///
-/// Generates the modules; `GROUPS`, the groups in `kahan --help`; the enum `Command`, which clap
-/// reads, with the method `run`; and `CommandLine::asking`. `$whole` returns the whole command
-/// line.
+/// Generates the modules, `GROUPS`, the enum `Command`, and `CommandLine::asking`.
 macro_rules! commands {
     (|$whole:ident| $($heading:literal: $(
         $(#[$attribute:meta])* $module:ident::$command:ident

@@ -1,5 +1,4 @@
-//! The command `kahan orbit`, which prints the points of an orbit with their integrals. Each row is
-//! written at once, so memory does not grow with the length of the orbit.
+//! The command `kahan orbit`, which prints the points of an orbit while the orbit is computed.
 
 mod over;
 mod rows;
@@ -128,7 +127,7 @@ pub(crate) struct Orbit {
     json: bool,
 }
 
-/// The rows of a table count steps in an `i64`.
+/// The largest number of steps, which a table stores as an `i64`.
 const MOST: u64 = i64::MAX as u64;
 
 impl QuestionCommand for Orbit {

@@ -1,5 +1,4 @@
-//! The command `kahan page`, which writes a page about a field. Each figure is shown with the
-//! command that draws it.
+//! The command `kahan page`, which writes a page of figures about a field.
 
 mod figures;
 mod lifted;
@@ -102,7 +101,7 @@ impl Page {
     }
 }
 
-/// Returns the source, in which missing parameter values come from the text or from the catalog.
+/// Fills in missing parameter values from the text or from the catalog.
 fn with_values(source: &Source, block: &Block, study: &Study) -> Source {
     let of_catalog = block.entry.map_or(&[][..], |entry| entry.parameters);
     let of_catalog = |k: usize| of_catalog.get(k).map(|(above, below)| Rational::new(*above, *below));

@@ -93,7 +93,7 @@ pub(crate) struct Periodic {
     json: bool,
 }
 
-/// The longest period of a cycle. A limit cycle of the flow may have more steps.
+/// The longest period without `--free eps`.
 const LONGEST_PERIOD: usize = 200;
 const MOST_STEPS: usize = 1_000_000;
 
@@ -135,9 +135,7 @@ impl QuestionCommand for Periodic {
 
 const CUT: &str =
     "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
-/// The note on rows without an error estimate.
 const PLAIN: &str = "finer steps have no such cycle there; take a smaller eps (dt)";
-/// The note on a stability that the printed digits of the multipliers do not show.
 const BLURRED: &str = ", as rounding leaves no more digits of the multipliers";
 
 fn text(found: &CycleFound) -> String {

@@ -1,5 +1,4 @@
-//! The command `kahan picture`. Parses the arguments of pictures of orbits, orbit diagrams and
-//! heights; [`shown`] computes and draws the pictures.
+//! The command `kahan picture`, which draws orbits, sections, orbit diagrams and heights.
 
 pub(crate) mod request;
 pub(crate) mod starts;
@@ -131,7 +130,7 @@ pub(crate) struct Picture {
     json: bool,
 }
 
-/// The template of the help. Arguments and options are in one list, so that the help fits a screen.
+/// The template of the help, with arguments and options in one list.
 const TEMPLATE: &str =
     "{about-with-newline}{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
 
@@ -154,7 +153,6 @@ const MOST_STARTS: usize = 100_000;
 const USUAL_CROSSINGS: u64 = 100;
 
 impl Picture {
-    /// Returns the field, and the requested picture as a value.
     pub(super) fn read_question(&self) -> Result<(Study, PictureRequest), UsageError> {
         let kind = self.kind()?;
         let study = self.source.proved(self.at.first().map(String::as_str))?;
@@ -279,8 +277,7 @@ impl Picture {
         Ok(self.answer(study.name(), kind, &drawn, bytes))
     }
 
-    /// Returns formula, direction and number of crossings of the section; `None` if no section is
-    /// requested.
+    /// Returns the requested section: formula, direction and number of crossings.
     fn section(&self, study: &Study) -> Result<Option<(String, Direction, Option<u64>)>, UsageError> {
         let (plane, maxima) = (self.plane.as_deref(), self.maxima.as_deref());
         if plane.or(maxima).is_none() {

@@ -1,5 +1,4 @@
-//! The command `kahan poles`: the curves that a map contracts or sends to infinity, and their
-//! images.
+//! The command `kahan poles`, which finds the curves that a map contracts or sends to infinity.
 
 use clap::Args;
 use kahan_draw::answer::poles;

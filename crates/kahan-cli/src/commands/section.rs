@@ -1,5 +1,4 @@
-//! The command `kahan section`: crossings of orbits with a plane, or with a level set of any
-//! function.
+//! The command `kahan section`, which computes the crossings of orbits with a level set.
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -147,8 +146,7 @@ impl QuestionCommand for Section {
     }
 }
 
-/// Returns the formula and the direction of a section. For the maxima of a variable, the formula is
-/// the derivative of the variable.
+/// Returns the formula of a section and its direction. Maxima are zeros of a derivative.
 pub(super) fn section(
     study: &Study,
     plane: Option<&str>,

@@ -1,5 +1,4 @@
-//! The command `kahan show`: the formulas of a system as text, LaTeX, SymPy or a block of the
-//! macro, and the plan of the generated code.
+//! The command `kahan show`, which prints the formulas of a system in several notations.
 
 mod plan;
 mod sheet;
@@ -75,7 +74,7 @@ impl QuestionCommand for Show {
             Show { latex: true, .. } => ShowForm::Latex,
             Show { sympy: true, .. } => ShowForm::Sympy,
             Show { plan: true, .. } => ShowForm::Plan,
-            // With --json the answer has all formulas, and the block is one of them.
+            // With --json, the answer contains the block beside all other formulas.
             Show { as_macro: true, json: false, .. } => ShowForm::Kahan,
             _ => ShowForm::Text,
         };
@@ -113,8 +112,7 @@ impl QuestionCommand for Show {
 }
 
 impl Show {
-    /// Returns the macro's expansion of the block. If parameters have values, expands the block
-    /// that `--macro` prints.
+    /// Returns the Rust code that the macro generates from the block.
     fn expanded(&self) -> Result<Answer, UsageError> {
         let study = self.source.proved(None)?;
         let core = "::kahan_core".parse().expect("a path");

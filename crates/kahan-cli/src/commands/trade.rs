@@ -1,5 +1,4 @@
-//! The command `kahan trade`: speed against accuracy, and the cheapest setting that meets a
-//! tolerance.
+//! The command `kahan trade`, which finds the cheapest setting that meets a tolerance.
 
 use std::path::PathBuf;
 
@@ -154,8 +153,7 @@ impl Trade {
         Ok((study, asked))
     }
 
-    /// Returns the command line that makes the orbit of the chosen setting. Returns `None` for
-    /// compensated steps and for f32 through f64, because `kahan orbit` has neither.
+    /// Returns the command that makes the chosen orbit; `None` if `kahan orbit` has no such steps.
     fn orbit(&self, traded: &Traded, block: &Block) -> Option<CommandLine> {
         let setting = &traded.choice()?.setting;
         let scheme = setting.scheme();
@@ -177,7 +175,6 @@ impl Trade {
 /// The number of steps above which a rounded ε shows as a linear drift.
 const LONG_RUN: u64 = 100_000;
 
-/// Formats a number with four decimals; a very large or small one in scientific notation.
 fn size(value: f64) -> String {
     if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
@@ -213,7 +210,7 @@ fn out_of_reach(traded: &Traded) -> Vec<String> {
     lines
 }
 
-/// Returns the setting with the smallest error among those for which `is_among` holds.
+/// Returns the most accurate of the settings for which `is_among` holds.
 fn best(traded: &Traded, is_among: impl Fn(&Measured) -> bool) -> Option<&Measured> {
     let among = traded.settings.iter().filter(|measured| is_among(measured));
     among.min_by(|a, b| a.error().total_cmp(&b.error()))

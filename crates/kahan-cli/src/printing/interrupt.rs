@@ -1,6 +1,4 @@
 //! Removes unfinished files on SIGINT and SIGTERM, and ends the process with status 130 or 143.
-//!
-//! A signal is sent to the whole process, so the list of unfinished files is global.
 
 use std::io;
 use std::path::PathBuf;
@@ -10,15 +8,15 @@ use tempfile::NamedTempFile;
 
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// A registration in the list of unfinished files; dropping it ends the registration.
+/// An entry in the list of unfinished files. Dropping the entry removes it from the list.
 pub(super) struct UnfinishedFile(PathBuf);
 
-/// Makes a temporary file that signals remove.
+/// Creates a temporary file that is removed on a signal.
 pub(super) fn unfinished(
     make: impl FnOnce() -> io::Result<NamedTempFile>,
 ) -> io::Result<(NamedTempFile, UnfinishedFile)> {
     listen()?;
-    // The lock makes signals wait while a file exists that is not in the list yet.
+    // Under the lock, a signal waits until the new file is in the list.
     let mut list = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
     let file = make()?;
     list.push(file.path().to_path_buf());

@@ -1,8 +1,7 @@
 //! Tables, labels and matrices that fit the screen.
 //!
-//! A table that is wider than the terminal, or than 80 columns, breaks between columns. On a
-//! terminal formulas break before a term; in files they do not break. Words and numbers are never
-//! broken; one that is wider than the screen gets a line of its own.
+//! A wide table breaks between columns. On a terminal, formulas break before a term. Words and
+//! numbers are never broken.
 
 #[cfg(test)]
 mod tests;
@@ -58,11 +57,9 @@ pub(crate) fn headed<H: ToString>(
     [headings].into_iter().chain(rows).collect()
 }
 
-/// Formats a table whose first row is its heading.
+/// Formats a table whose first row is the heading.
 ///
-/// If the table is too wide, headings and cells with sentences are broken. If that is not enough,
-/// further columns follow in tables below; each of these repeats the first `keys` columns. If a
-/// column does not fit beside these columns, each row becomes a list of its cells.
+/// A table that is too wide is split, and each part repeats the first `keys` columns.
 pub(crate) fn table(rows: &[Vec<String>], keys: usize) -> Vec<String> {
     table_within(rows, keys, screen_width())
 }
@@ -110,8 +107,8 @@ fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     heading.map(|(column, name)| longest_word(name).max(largest(rows, column, length))).collect()
 }
 
-/// Narrows columns, the widest first, to the total `width`. A column never gets narrower than its
-/// entry of `least`, or than its longest word. Returns `None` if that is not enough.
+/// Narrows the widest columns until the total is `width`. A column keeps its longest word and its
+/// entry of `least`. Returns `None` if the columns stay too wide.
 fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
     let least: Vec<usize> =
@@ -124,8 +121,7 @@ fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<u
     Some(narrower)
 }
 
-/// Groups the columns after the first `keys` ones, so that each group fits; `None` if a column does
-/// not fit.
+/// Groups the columns after the first `keys` so that each group fits; `None` if a column does not.
 fn groups(rows: &[Vec<String>], natural: &[usize], keys: usize, width: usize) -> Option<Vec<Range<usize>>> {
     let keys_width = total(&natural[..keys.min(natural.len())]);
     let room = width.checked_sub(if keys == 0 { 0 } else { keys_width + 2 })?;
@@ -169,8 +165,7 @@ fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
     below_each_other(rows.iter().map(record))
 }
 
-/// Returns a label of width `room` with a text beside it; if a word is too wide, with the text
-/// below it.
+/// Puts a text beside a label of width `room`, or below the label if a word is too wide.
 pub(crate) fn labelled(label: &str, text: &str, room: usize) -> Vec<String> {
     labelled_within(label, text, room, screen_width())
 }
@@ -190,8 +185,7 @@ pub(crate) fn beside(label: &str, lines: Vec<String>, room: usize) -> Vec<String
     labels.zip(lines).map(|(label, line)| format!("{label:<room$}  {line}").trim_end().to_owned()).collect()
 }
 
-/// Breaks a line after commas into parts of at most `width` characters. All parts except the first
-/// are indented.
+/// Breaks a line after commas at `width` characters, and indents the continuation lines.
 pub(crate) fn after_commas(line: &str, width: usize) -> String {
     let mut out = String::with_capacity(line.len() + 16);
     let mut taken = 0;

@@ -31,8 +31,7 @@ impl Answer {
         Answer { text, breaks: true, complaint: None, status: 0 }
     }
 
-    /// Returns an answer without output; `status` is the exit status of another program that was
-    /// run.
+    /// Returns an answer without output, for another program that ended with this exit status.
     pub(crate) fn silent(status: u8) -> Self {
         Answer { status, ..Answer::verbatim(String::new()) }
     }
@@ -51,7 +50,7 @@ impl Answer {
         if as_json { Answer::json(found) } else { Answer::text(text(found)) }
     }
 
-    /// Adds a complaint if there is one, which makes the exit status 1.
+    /// Adds a possible complaint. A complaint makes the exit status 1.
     pub(crate) fn but(self, complaint: Option<String>) -> Self {
         let status = u8::from(complaint.is_some());
         Answer { complaint, status, ..self }
@@ -59,8 +58,7 @@ impl Answer {
 }
 
 impl UsageError {
-    /// Makes a refusal that says what is wrong and what to write instead; the message lacks the
-    /// word `error:`.
+    /// Makes a refusal from a message without the word `error:`.
     pub(crate) fn new(message: impl AsRef<str>) -> Self {
         UsageError(paragraph(message.as_ref()))
     }
@@ -83,8 +81,7 @@ pub(crate) fn warn(note: &str) {
     let _ = writeln!(io::stderr(), "note: {note}");
 }
 
-/// Prints a result and returns the exit status. A closed pipe, as in `kahan | head`, is not an
-/// error.
+/// Prints a result, and returns the exit status. A closed pipe is not an error.
 pub(crate) fn finish(result: Result<Answer, UsageError>) -> u8 {
     let (text, complaint, status) = match result {
         Ok(Answer { text, breaks, complaint, status }) => {

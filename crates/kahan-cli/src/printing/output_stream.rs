@@ -1,8 +1,6 @@
 //! Destinations of long output: standard output, or a file that appears whole or not at all.
 //!
-//! A file is written under a temporary name in the same folder, and renamed at the end. Unfinished
-//! files are removed, also after a signal. Standard output is buffered. A write that comes 0.1 s or
-//! more after the last flush flushes it, so that a reader sees rows early.
+//! A file gets its name when it is complete. Unfinished files are removed, also after a signal.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, ErrorKind, Seek, SeekFrom, Stdout, Write};
@@ -46,14 +44,12 @@ impl OutputStream {
         OutputStream(Destination::Standard { writer: BufWriter::new(io::stdout()), flushed: Instant::now() })
     }
 
-    /// Opens a file. The file appears on [`finish`](Self::finish), and replaces an existing one.
-    /// Refusals mention `option`, the argument that names the file.
+    /// Opens a file, which appears on [`finish`](Self::finish). Refusals mention `option`.
     pub(crate) fn file(path: &Path, option: &str) -> Result<Self, UsageError> {
         let refused = |reason: &str| {
             UsageError::new(format!("{option}: cannot write the file {}: {reason}", path.display()))
         };
-        // If the path is a link, its target is replaced, not the link. A device or a directory is
-        // never replaced.
+        // A link is kept, and its target is replaced. Devices and directories are never replaced.
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),

@@ -1,5 +1,4 @@
-//! Shows the progress of long work on standard error, if that is a terminal. Also provides the
-//! clock and the number of processors.
+//! Shows the progress of long work on standard error, if it is a terminal.
 
 use std::io::{IsTerminal, stderr, stdout};
 use std::ops::ControlFlow;
@@ -11,8 +10,7 @@ use kahan_discover::report::MOST_READABLE;
 use kahan_discover::{Finding, Progress, Watch};
 use kahan_runtime::threads;
 
-/// A progress bar or spinner that shows each finding as soon as it is proved. Dropping the value
-/// removes the bar.
+/// A progress bar or spinner that also shows findings. Dropping the value removes the bar.
 pub(crate) struct ProgressDisplay {
     bar: ProgressBar,
     since: Instant,
@@ -22,7 +20,7 @@ pub(crate) struct ProgressDisplay {
 }
 
 impl ProgressDisplay {
-    /// Makes a bar of steps, called `what`. The work reports how many steps there are.
+    /// Makes a bar for work that reports its number of steps.
     pub(crate) fn of(what: &str) -> Self {
         Self::new(0, what)
     }
@@ -52,7 +50,7 @@ impl ProgressDisplay {
     }
 
     pub(crate) fn within(self, seconds: f64) -> Self {
-        // A limit of about a century has the effect of no limit, and fits every clock.
+        // A limit of about a century is never reached, and fits every clock.
         let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
         ProgressDisplay { end: Some(self.since + allowed), ..self }
     }
@@ -90,7 +88,6 @@ impl Watch for ProgressDisplay {
             return ControlFlow::Break(());
         }
         match (self.bar.length(), progress.of) {
-            // A bar counts steps of one kind; reports on stages in between do not move the bar.
             (Some(length), Some(of)) => {
                 let done = self.done.load(Ordering::Relaxed);
                 self.bar.set_length(length.max(done + of));
@@ -102,8 +99,7 @@ impl Watch for ProgressDisplay {
         ControlFlow::Continue(())
     }
 
-    /// Prints a finding above the bar, with the elapsed seconds. A long finding is printed by its
-    /// name and length.
+    /// Prints a finding above the bar. A long finding is abbreviated.
     fn found(&self, finding: &Finding) {
         let Finding { kind, name, text } = finding;
         let shown = match text.len() {

@@ -10,18 +10,16 @@ use super::output_stream::{OutputStream, WriteError};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
-    /// Comma-separated values: a line of column names, then a line for each row. Undefined values
-    /// are empty. A terminal breaks long lines after commas.
+    /// Comma-separated values below a line of column names. Undefined values are empty.
     Csv,
-    /// One JSON object: the metadata, `rows`, and the members after the rows. Undefined values are
-    /// null.
+    /// One JSON object with the rows as the member `rows`. Undefined values are null.
     Json,
 }
 
 pub(crate) struct Table {
     sink: OutputStream,
     format: Format,
-    /// The first cells of all rows of an orbit, which identify the orbit among several.
+    /// The first cells of each row, which identify the orbit.
     place: Vec<StoredColumn>,
     line: String,
     has_rows: bool,
@@ -32,7 +30,7 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Writes the metadata of a table; its `columns` are the names of the columns.
+    /// Writes the metadata of a table, with the names of the columns as `columns`.
     pub(crate) fn begin(
         sink: OutputStream,
         format: Format,
@@ -59,7 +57,7 @@ impl Table {
         Ok(table)
     }
 
-    /// Begins an orbit; all of its rows start with the cells in `place`.
+    /// Begins an orbit, whose rows all start with the cells in `place`.
     pub(crate) fn begin_orbit(&mut self, place: Vec<StoredColumn>) {
         self.place = place;
     }

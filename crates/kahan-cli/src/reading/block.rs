@@ -18,8 +18,7 @@ use super::rust_file::{RustBlock, blocks};
 use crate::printing::{UsageError, joined};
 
 thread_local! {
-    /// Caches the last block, because a command reads its field twice: for notes, and for its
-    /// answer.
+    /// The last block. A command reads its field twice: for notes, and for its answer.
     static LAST: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
@@ -74,14 +73,12 @@ impl Block {
         Subject::block(self.text.clone())
     }
 
-    /// Returns the undeclared names, which are parameters. A block in Rust has no such parameters,
-    /// because there undeclared names are variables of the program.
+    /// Returns the undeclared names that are parameters. In Rust they are variables of the program.
     pub(super) fn undeclared(&self) -> Vec<String> {
         if self.is_rust { Vec::new() } else { self.text.undeclared() }
     }
 
-    /// Returns the family of the block. If the block is a plain system, the refusal mentions
-    /// `option`.
+    /// Returns the family of the block. Refuses `option` if the block is a plain system.
     pub(crate) fn family(&self, option: &str) -> Result<Family, UsageError> {
         self.text.family().map_err(|mistakes| UsageError::reports(mistakes.to_string()))?.ok_or_else(|| {
             UsageError::new(format!(
@@ -94,8 +91,7 @@ impl Block {
         self.text.given()
     }
 
-    /// Returns two texts of the block with initial values: the given text, and the text in the
-    /// language of `kahan!`. The given text may lack names for velocities.
+    /// Returns the text with initial values, once as given, once in the language of `kahan!`.
     pub(crate) fn beginning_at(&self, states: &[String], start: &[Rational]) -> [String; 2] {
         let values = self.text.parameters().iter().map(|(name, value)| format!("{name} = {value}; "));
         let first = states.iter().zip(start).map(|(state, value)| format!("{state}(0) = {value};"));
@@ -104,8 +100,7 @@ impl Block {
         [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
     }
 
-    /// Returns notes on how the text was interpreted, and on values in the text that no option
-    /// overrides.
+    /// Returns notes on how the text was read, and on values that no option overrides.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let is_noted = |name: &str| {
             let named = format!("`{name}` with the value");
@@ -125,8 +120,7 @@ impl Block {
         self.text.notes().iter().cloned().chain(values).collect()
     }
 
-    /// Returns the product of states with one-letter names that a name may stand for, such as `x*y`
-    /// for `xy`.
+    /// Returns the product of states that a name may mean, such as `x*y` for `xy`.
     pub(super) fn product(&self, name: &str) -> Option<String> {
         let system = self.text.unproved_system().ok()?;
         let letters: Vec<String> = name.chars().map(String::from).collect();
@@ -160,8 +154,7 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), UsageError> {
     }))
 }
 
-/// Returns the range of the field in a text: the whole text, or one call of `kahan!`. If there are
-/// several calls, `wanted` selects one by name or line.
+/// Returns the range of a field: the whole text, or the call of `kahan!` that `wanted` selects.
 pub(super) fn select_block(
     text: &str,
     origin: &str,

@@ -1,5 +1,4 @@
-//! A chain with any number of sites: its map and its first state. The values at the sites come from
-//! a formula of the index i, or from a file.
+//! Reads a chain with any number of sites: its map, and its first state.
 
 use kahan_algebra::rational::Rational;
 use kahan_runtime::Lattice;
@@ -62,7 +61,7 @@ impl Start {
     }
 }
 
-/// Reads `--param NAME=V`; V stands for one number, or for one number for each site.
+/// Reads `--param NAME=V`, in which V gives one number or a number for each site.
 fn parameter<'a>(
     given: &'a str,
     sites: usize,
@@ -119,8 +118,7 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Usag
         let rows = values.chunks_exact(names.len());
         values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
-    // A single array may be a list or a column. If a file has several states, the last state is
-    // used.
+    // A single array may be a list or a column. The last of several states is used.
     let mut state = vec![sites, arrays.len()];
     let mut found = &sizes[..];
     if arrays.len() == 1 {

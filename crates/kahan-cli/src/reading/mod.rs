@@ -1,5 +1,4 @@
-//! Input: turns arguments and files into checked systems and numbers. Mistakes become a
-//! [`UsageError`](crate::printing::UsageError).
+//! Input: turns arguments and files into checked systems and numbers.
 
 mod block;
 mod chain;

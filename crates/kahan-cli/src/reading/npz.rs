@@ -1,8 +1,6 @@
-//! A field in a file of `np.savez`: arrays c, B and Q of ẋ = c + Bx + Q(x, x), `names` of
-//! variables, and the `order` of the columns of Q.
+//! Reads a field ẋ = c + Bx + Q(x, x) from the arrays c, B and Q of a file of `np.savez`.
 //!
-//! In: the bytes of the file. Out: the coefficients. `kahan._coefficients` of the Python package
-//! accepts the files that this module accepts.
+//! `kahan._coefficients` of the Python package reads the same files.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -17,12 +15,10 @@ use crate::printing::joined;
 /// The files of an archive by name, without `.npy`.
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// The indices of the states in a term. A term of c has no index, a term of B has one, and a term
-/// of Q has two.
+/// The states in a term: no state in a term of c, one in a term of B, two in a term of Q.
 type States = [Option<usize>; 2];
 
-/// An array: its shape, and its entries as (row, column, value). A row belongs to a component of
-/// the field.
+/// An array with its entries as (row, column, value). Each row is a component of the field.
 struct Part {
     name: &'static str,
     sizes: Vec<usize>,
@@ -108,7 +104,7 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
     format!("has names that variables cannot have: {}", joined(said, "; "))
 }
 
-/// Takes an array from the files; it is dense (one file), or sparse by rows (three files).
+/// Takes an array from the files: a dense one from one file, a sparse one from three.
 fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
     let mut numbers = |name: &str| {
         let read = |file: Vec<u8>| {

@@ -23,8 +23,7 @@ pub(super) fn read<V: FileNumber>(path: &str, option: &str) -> Result<Numbers<V>
     Numbers::of(path, &bytes).map_err(refused)
 }
 
-/// Returns the points of `--at`, at least one. Without `--at`, returns the point in the text of the
-/// field.
+/// Returns the points of `--at`, or else the point in the text of the field.
 pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational>>, UsageError> {
     let states = study.coordinates();
     let Some(at) = at else {
@@ -45,8 +44,7 @@ pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, Us
     only(points(at, study)?, at)
 }
 
-/// Reads the first point of `--at` before the field is known. Also returns the names of the
-/// coordinates if the file has them. Returns `None` if there is no point.
+/// Reads the first point of `--at`, and the names of its coordinates if a file has them.
 pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     if is_number_file(at) {
         let rows = read::<Option<Rational>>(at, "--at").ok()?;

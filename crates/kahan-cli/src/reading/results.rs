@@ -10,8 +10,7 @@ use kahan_study::number_file::Numbers;
 use super::points::read;
 use crate::printing::UsageError;
 
-/// Returns the program `kahan-sweep`. The program `kahan-sweep` is taken from the folder of the
-/// running program, or else found on the search path.
+/// Returns the program `kahan-sweep`, from the folder of this program or from the search path.
 pub(crate) fn sweeper() -> Command {
     let name = format!("kahan-sweep{EXE_SUFFIX}");
     let beside =

@@ -1,8 +1,6 @@
 //! Finds the calls of `kahan!` in a text: their ranges and names.
 //!
-//! The lexer of rustc distinguishes calls from comments and strings. The parsers `proc-macro2` and
-//! `syn` are not used: they reject files with an unclosed bracket, and Markdown that contains a
-//! program. Moreover, `syn` does not look into other macros.
+//! Uses the lexer of rustc, because `proc-macro2` and `syn` reject unclosed brackets and Markdown.
 
 #[cfg(test)]
 mod tests;
@@ -29,7 +27,7 @@ struct Piece<'a> {
 }
 
 pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
-    // Most texts are searched only for the word, because they may be long and have no call.
+    // A long text without a call is not split into tokens.
     if !text.contains(MACRO) {
         return Vec::new();
     }
@@ -82,8 +80,7 @@ fn closes(kind: TokenKind) -> bool {
     matches!(kind, TokenKind::CloseBrace | TokenKind::CloseParen | TokenKind::CloseBracket)
 }
 
-/// Returns the number of tokens before the closing bracket; if it is missing, the number of all
-/// tokens.
+/// Returns the number of tokens before the closing bracket, or of all tokens if it is missing.
 fn length_inside(pieces: &[Piece<'_>]) -> usize {
     let mut depth = 1;
     let is_last = |piece: &Piece<'_>| {

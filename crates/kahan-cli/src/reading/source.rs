@@ -1,5 +1,4 @@
-//! Arguments that name a system and give values of its parameters. A system is in the catalog, on
-//! the command line, or in a file.
+//! Arguments that name a system and give values of its parameters.
 
 use std::f64::consts::{E, PI};
 use std::path::{Path, PathBuf};
@@ -162,8 +161,7 @@ impl Source {
         Source { system: Some(name), ..Source::default() }
     }
 
-    /// Returns the words that name this source on a command line. Standard input can be read only
-    /// once, so the words contain its text instead.
+    /// Returns the arguments that name this source. For standard input, they contain its text.
     pub(crate) fn words(&self, block: &Block) -> Vec<String> {
         let is_input = self.is_input();
         let field = self.field.clone().or_else(|| is_input.then(|| block.text().trim().to_owned()));
@@ -197,8 +195,7 @@ impl Source {
         self
     }
 
-    /// Returns the kind of lift; `None` if no lift is requested. The start and the parameter values
-    /// guide the choice of a lift.
+    /// Returns the requested lift. The start and the parameter values guide the choice.
     pub(super) fn lifting(
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,
@@ -229,7 +226,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses a parameter value, or a `step`, if one of the `axes` has the same name.
+    /// Refuses a value or a `step` for a quantity that is on one of the `axes`.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), UsageError> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =
@@ -279,8 +276,7 @@ impl Source {
         self.file.as_deref().is_some_and(|path| path == Path::new("-"))
     }
 
-    /// Returns notes on how a text was interpreted, and on undeclared names without a value or
-    /// range. For standard input, [`block`](Self::block) prints the notes.
+    /// Returns notes on how a text was read, and on undeclared names without a value or range.
     pub(crate) fn notes(&self, ranges: &[String]) -> Vec<String> {
         let block = if self.is_input() { None } else { self.block().ok().flatten() };
         block.map_or_else(Vec::new, |block| self.notes_on(&block, ranges))

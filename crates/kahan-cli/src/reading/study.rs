@@ -30,8 +30,7 @@ impl Source {
         Ok(study)
     }
 
-    /// Returns the field of a block that was already read, because standard input can be read only
-    /// once.
+    /// Returns the field of a block that was already read.
     pub(crate) fn study_of_block(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
@@ -75,8 +74,7 @@ impl Start {
         Ok((study, starts, self.step.half()?.ok_or(StudyError::MissingStep)?))
     }
 
-    /// Returns the field, the only start, and ε. A parameter or ε on one of the `axes` has no other
-    /// value.
+    /// Returns the field, the only start, and ε. Refuses values of quantities on the `axes`.
     pub(crate) fn study_over(
         &self,
         axes: &[Axis],
@@ -85,8 +83,7 @@ impl Start {
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
-    /// Returns the field, all starts, and ε. A parameter or ε on one of the `axes` has no other
-    /// value.
+    /// Returns the field, all starts, and ε. Refuses values of quantities on the `axes`.
     pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), UsageError> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;

@@ -38,7 +38,7 @@ pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())
 }
 
-/// Reads a name out of `known`; `value` returns the name and the help of each item.
+/// Parses one of the items of `known`. `value` gives the name and the help of an item.
 pub(crate) fn one_of<T: Copy + Send + Sync + 'static>(
     known: impl IntoIterator<Item = &'static T>,
     value: fn(T) -> PossibleValue,

@@ -1,5 +1,4 @@
-//! Fields from files of `np.savez`, which are built byte by byte here. Python's tests read files
-//! that NumPy wrote.
+//! Fields from files of `np.savez`, which are built byte by byte.
 
 use std::io::Write;
 
@@ -9,7 +8,6 @@ use rawzip::{CompressionMethod, ZipArchiveWriter};
 
 use crate::running::{answer, kahan, refusal, text};
 
-/// A builder for a file of arrays, each given by its bytes.
 struct Npz {
     folder: tempfile::TempDir,
     files: Vec<(String, Vec<u8>)>,

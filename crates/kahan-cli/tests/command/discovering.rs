@@ -1,5 +1,4 @@
-//! Tests `kahan discover` and `kahan scan`: results are proved again, and JSON keys and refusals
-//! are checked.
+//! Tests `kahan discover` and `kahan scan`, whose results are proved again.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::{lexer, read};
@@ -18,7 +17,7 @@ fn texts(value: &Value) -> Vec<String> {
     all.map(|text| text.as_str().expect("a text").to_owned()).collect()
 }
 
-/// Reads a block to which lines are added; the claims of the block are proved.
+/// Reads a block with added lines, and proves its claims.
 fn reading(field: &str, lines: &[String]) -> Checked {
     let reading = read(&lexer::lex(&format!("{field} {}", lines.join(" "))).tokens);
     assert!(reading.diagnostics().is_empty(), "{field} {lines:?}: {:?}", reading.diagnostics());
@@ -93,8 +92,7 @@ fn printed_lines_go_into_a_block_as_they_stand() {
             reading(&equations.join(" "), &lines).system().expect("a system").claims.len(),
             lines.len()
         );
-        // New integrals with other names can follow the catalog's claims. A block has at most one
-        // density.
+        // A block has at most one density, so only the other claims are added.
         let own = reading(block, &[]).system().expect("a system").claims.len();
         let (densities, new): (Vec<String>, Vec<String>) =
             lines.iter().cloned().partition(|line| line.starts_with("density "));
@@ -138,8 +136,7 @@ fn what_is_fixed_is_kept_apart_from_what_is_generic() {
     assert_eq!(found["hilbert"], json!([4, 8, 12, 16]));
 }
 
-/// Compares claims for generic parameters with findings. Blocks do not claim integrals that would
-/// fill a page, such as those of Clebsch's system with 2440 characters.
+/// Integrals that would fill a page are not claimed, such as those of Clebsch's system.
 #[test]
 fn the_further_systems_claim_as_many_integrals_as_are_found() {
     for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {
@@ -164,7 +161,6 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
     }
 }
 
-/// The block of `--macro` compiles with as many claims; `--latex` writes each of them.
 #[test]
 fn what_is_found_is_printed_as_a_block_and_in_latex() {
     let found = object(&["discover", "euler"]);
@@ -187,7 +183,7 @@ fn what_is_found_is_printed_as_a_block_and_in_latex() {
     assert!(refusal(&["discover", "e6", "--out", "/nowhere/at/all"]).contains("cannot write"));
 }
 
-/// For Kirchhoff's rigid body in a fluid, bases stand for three of its four integrals.
+/// Kirchhoff's rigid body in a fluid has four integrals, three of which bases describe.
 #[test]
 fn bases_are_printed_in_text_and_in_latex() {
     let kirchhoff =
@@ -217,8 +213,7 @@ fn bases_are_printed_in_text_and_in_latex() {
     }
 }
 
-/// A modified Hamiltonian has 6 000 characters. Text and LaTeX have its compact form; the block has
-/// the formula.
+/// The modified Hamiltonian has 6 000 characters. Only the block shows it in full.
 #[test]
 fn a_long_modified_hamiltonian_is_printed_in_its_compact_form() {
     let chain = "adot = a*(b - c + d - e) + 1; bdot = b*(c - d + e - a) - 2; cdot = c*(d - e + a - b) + 3;
@@ -267,7 +262,6 @@ fn the_catalog_is_written_in_six_tenths_of_the_characters() {
     assert!(taken * 10 <= 10546 * 6, "{taken}");
 }
 
-/// For rigid bodies in a fluid or in gravity, all four integrals are found within the default time.
 #[test]
 #[ignore = "a minute each where the build is slow"]
 fn rigid_bodies_have_four_integrals_in_formulas_and_bases() {

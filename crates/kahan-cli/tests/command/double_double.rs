@@ -1,5 +1,4 @@
-//! Tests `--scalar dd`: 32 digits, the bits of the compiled library, exact inputs, poles and
-//! overflow.
+//! Tests `--scalar dd`: digits, bits, exact inputs, poles and overflow.
 
 use std::process::Output;
 
@@ -66,7 +65,7 @@ fn rational(text: &str) -> BigRational {
     digits * ten.pow(exponent.parse::<i32>().expect("an exponent") - fraction.len() as i32)
 }
 
-/// Inputs are rounded to 32 digits, not to 16: 0.1 is not a double.
+/// Inputs such as 0.1 are rounded to 32 digits.
 #[test]
 fn every_object_has_the_exact_value_to_30_digits() {
     let arguments = "eval e6 --eps 0.1 --at 1/3,2/7,0.7 --json";
@@ -112,8 +111,7 @@ fn a_number_in_json_has_32_digits() {
     let orbit = object("orbit e1 --eps 1/3 --at 1/7,1/3,2 --steps 1 --scalar dd --json");
     assert_eq!(orbit["scalar"], "dd");
     assert_eq!(orbit["rows"][0][2].to_string(), "0.14285714285714285714285714285714");
-    // Other scalars keep their formats: integers have no decimal point, and `f64` has its shortest
-    // decimal.
+    // Integers have no decimal point, and `f64` has its shortest decimal.
     assert_eq!(orbit["rows"][1][0].to_string(), "1");
     assert_eq!(orbit["steps"], 1);
     let floats = object("eval e1 --eps 1/3 --at 1/7,1/3,2 --scalar f64 --json");

@@ -41,8 +41,7 @@ fn linear_fields_have_the_exponents_of_their_multipliers() {
         object(&["dynamics", "--field", field, "--eps", "0.1", "--at", "1,1", "--steps", "4000", "--json"]);
     let exact = |rate: f64| ((1.0 + eps * rate) / (1.0 - eps * rate)).ln() / (2.0 * eps);
     let [first, second] = [0, 1].map(|k| number(&found["spectrum"][k]));
-    // The components of the first vectors along the eigenvectors contribute O(1/t) to the
-    // exponents.
+    // The choice of the first vectors changes the exponents by O(1/t).
     assert!((first - exact(fast)).abs() < 2e-3 && (second - exact(slow)).abs() < 2e-3, "{first} {second}");
     let sum = exact(fast) + exact(slow);
     assert!((number(&found["mean_log_det"]) - sum).abs() < 1e-12 && (first + second - sum).abs() < 1e-12);
@@ -73,7 +72,6 @@ fn an_orbit_that_overflows_is_told_and_kept() {
     }
 }
 
-/// An observable has one value, whether others are requested or not, also on very short orbits.
 #[test]
 fn a_name_means_one_thing_whatever_else_is_asked() {
     let lorenz =
@@ -106,8 +104,7 @@ fn tables_name_what_they_show() {
     assert!(table.lines().all(|line| line.chars().count() <= 80));
 }
 
-/// In each step 1/x falls by 2ε, and passes through 0. The denominator of a dense field is not
-/// expanded.
+/// In each step 1/x falls by 2ε, until it passes through 0.
 #[test]
 fn steps_over_poles_are_counted_where_they_are_asked_for() {
     let dense = |n: usize| -> String {
@@ -184,8 +181,7 @@ fn sections_are_where_the_formula_vanishes() {
     assert_eq!(answer(&first).lines().count(), 3);
 }
 
-/// A row of each orbit has the start and the values on the axes, followed by the orbit's own
-/// crossing.
+/// Each row begins with the start and with the values on the axes of its orbit.
 #[test]
 fn sections_of_many_orbits_are_one_table() {
     let folder = tempfile::tempdir().expect("a folder");

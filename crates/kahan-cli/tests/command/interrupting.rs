@@ -120,7 +120,6 @@ impl Drop for Run {
     }
 }
 
-/// All commands run at once, and get their signals while they work.
 #[test]
 fn every_long_call_ends_by_a_signal() {
     let folder = tempfile::tempdir().expect("a folder");

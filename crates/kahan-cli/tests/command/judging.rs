@@ -11,8 +11,7 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
     let cells = object["cells"].as_array().expect("a list");
-    // Each regime has seven cells: fast and stable steps in f32 and f64, f32 through f64, and
-    // accurate and stable dd. Large steps add three cells for lu.
+    // Each of seven regimes has seven cells. Large steps add three cells for lu.
     assert_eq!(cells.len(), 7 * 7 + 3);
     let of_lu = |cell: &&Value| cell["tier"] == "lu";
     assert!(cells.iter().filter(of_lu).all(|cell| cell["regime"] == "large steps"));
@@ -41,12 +40,10 @@ fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     let read = cells(&field);
     assert_eq!(read, cells(&["extremes", "e3"]));
     assert!(read.as_array().is_some_and(|cells| cells.iter().any(|cell| cell["silently_wrong"] != 0)));
-    // The field has a parameter that is drawn and also a divisor, and a constant that is not a
-    // float.
+    // The parameter is drawn and also a divisor, and 1/3 is not a float.
     cells(&["extremes", "--field", "xdot = x*y/mu + 1/3; ydot = mu - x^2;"]);
 }
 
-/// The seed determines the fields. The answer contains them as texts that can be read again.
 #[test]
 fn random_fields_are_drawn_by_the_seed_and_told() {
     let object = |seed: &str| {

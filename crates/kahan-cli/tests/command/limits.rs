@@ -23,7 +23,6 @@ fn ring(variables: usize) -> String {
     (0..variables).map(|k| format!("x{k}dot = x{};", (k + 1) % variables)).collect()
 }
 
-/// Beyond each limit the command refuses, and its message contains the number in the table.
 #[test]
 fn every_limit_of_a_question_is_that_of_its_table() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,5 +1,4 @@
-//! Tests that `kahan page` writes a well-formed, self-contained page, and that the commands on it
-//! make its figures again.
+//! Tests that `kahan page` writes a self-contained page whose commands make its figures again.
 
 use std::fs;
 use std::path::Path;
@@ -54,8 +53,7 @@ fn every_command_on_a_page_makes_what_stands_above_it() {
     for line in &lines[1..] {
         let output = shell(line, folder.path());
         let said = text(&output.stderr);
-        // The time may be too short for a reference trajectory, or for a setting that meets the
-        // tolerance.
+        // The time may be too short for `kahan trade`.
         let is_short = line.starts_with("kahan trade") && said.contains("more --seconds");
         assert!(output.status.code() == Some(0) || is_short, "{line}: {said}");
     }
@@ -109,8 +107,7 @@ fn caption<'a>(page: &'a str, id: &str) -> &'a str {
 #[test]
 fn what_is_found_is_followed_and_a_section_says_what_is_seen() {
     let folder = tempfile::tempdir().expect("a folder");
-    // The field has two integrals that it does not claim, so each orbit runs along a curve. The
-    // parameters are named in another order than in the expanded equations.
+    // Both fields have two integrals that they do not claim, so each orbit runs along a curve.
     let field = "xdot = h*y - nu*x + y*z; ydot = h*x - nu*y - x*z; zdot = -nu*z + x*y;";
     for arguments in [
         &["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;"][..],
@@ -151,7 +148,7 @@ fn what_cannot_be_made_is_left_out_and_said() {
     let folder = tempfile::tempdir().expect("a folder");
     let grows = page(folder.path(), &["--field", "xdot = x; ydot = x + y;", "--seconds", "0.5"]);
     assert!(grows.contains("This orbit does not stay"));
-    // The solution is a tangent. The reference trajectory ends at the pole of the tangent.
+    // The solution is tan t, whose pole ends the reference trajectory.
     let escapes = page(folder.path(), &["--field", "xdot = x^2 + 1;", "--seconds", "0.5"]);
     assert!(escapes.contains("Left out: "));
     let there = folder.path().join("index.html");
@@ -163,8 +160,7 @@ fn what_cannot_be_made_is_left_out_and_said() {
     assert_eq!(fs::read_to_string(&there).expect("the page"), before);
 }
 
-/// A pendulum in the notation of a textbook. The pendulum has two parameters; one parameter has a
-/// value.
+/// A pendulum in the notation of a textbook. One of its two parameters has a value.
 const PENDULUM: &str = "x'' = -g*sin(x) - k*x', g = 2";
 
 #[cfg(unix)]
@@ -203,8 +199,7 @@ fn the_lift_of_a_page_is_chosen_along_an_orbit() {
     let neuron = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
     let shown = page(folder.path(), &["--field", neuron, "--lift", "--seconds", "0.5"]);
     assert!(shown.contains("decays at the rate -1."), "{shown}");
-    // If a point is given, the lift is chosen along its orbit. For a quadratic field, the page
-    // shows no lift.
+    // The orbit of a given point determines the lift. A quadratic field has no lift on its page.
     let given = page(folder.path(), &["--field", neuron, "--lift", "--at", "2,1/2", "--seconds", "0.5"]);
     assert!(given.contains("the orbit from (2, 1/2)") && given.contains("v(0) = 2; w(0) = 1/2;"), "{given}");
     let plain = page(folder.path(), &["--field", "xdot = 1/4 - x^2;", "--lift", "--seconds", "0.5"]);

@@ -1,5 +1,4 @@
-//! Checks that every drawn element of an SVG has a colour in an attribute of its own, or of an
-//! element around it.
+//! Checks that every drawn element of an SVG has or inherits a colour.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};

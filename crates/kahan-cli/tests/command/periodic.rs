@@ -152,8 +152,7 @@ fn steady_states_need_no_step_and_have_the_eigenvalues_of_the_field() {
         assert!((eigenvalue / expected + 1.0).abs() < 1e-12, "{found}");
         assert_eq!(found["exact"]["points"], serde_json::json!([["1"]]), "{found}");
     }
-    // Lorenz's model of the atmosphere (1984) at a = 1/4, b = 4. At the Hopf point f = 0, and the
-    // coefficients aᵢ of the characteristic polynomial of f' satisfy a₁a₂ = a₃. The values were
+    // Lorenz's model of the atmosphere (1984) at a = 1/4, b = 4. The values at the Hopf point were
     // computed independently, in 40 digits.
     let field = "xdot = -y^2 - z^2 - x/4 + F/4; ydot = x*y - 4*x*z - y + G; zdot = 4*x*y + x*z - z;";
     let over = ["--param", "G=1/5", "--at", "1,0,0", "--over", "F=0.8:1.2:21", "--json"];
@@ -213,8 +212,7 @@ fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
     assert_eq!(cycle("1/20", "-0.41,0", "1")["stability"], "neutral");
 }
 
-/// Langford's field: r' = (z - b) r, z' = 3/5 + z - z^2 - r^2, with a cycle of period 2π/3 at z =
-/// b. A complex pair of multipliers crosses the unit circle at b = 1/2.
+/// Langford's field has a cycle of period 2π/3, whose multipliers cross the unit circle at b = 1/2.
 const TORUS: &str = "xdot = x*z - b*x - 3*y; ydot = 3*x + y*z - b*y; zdot = 3/5 + z - z^2 - x^2 - y^2;";
 
 fn number(value: &serde_json::Value) -> f64 {

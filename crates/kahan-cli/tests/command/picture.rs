@@ -50,8 +50,7 @@ fn words(svg: &str) -> Vec<String> {
     svg.split("<text").skip(1).map(shown).collect()
 }
 
-/// A diagram of a flow has five crossings at each of nine values; crossings may be maxima of a
-/// variable.
+/// A diagram of a flow shows crossings, which may be maxima of a variable.
 #[test]
 fn a_diagram_shows_crossings_over_a_parameter() {
     let rossler = "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);";
@@ -263,8 +262,7 @@ fn what_cannot_be_drawn_is_refused_and_leaves_no_file() {
 #[test]
 fn a_png_or_a_pdf_is_written_or_it_is_said_how_to_get_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    // In a PNG, width and height come after the first twelve bytes and the four letters of the
-    // chunk's name.
+    // In a PNG, width and height follow the first 16 bytes.
     let size = [960_u32.to_be_bytes(), 720_u32.to_be_bytes()].concat();
     let kinds: [(&str, bool, &[u8], &[u8]); 2] = [
         ("png", cfg!(feature = "png"), b"\x89PNG\r\n\x1a\n", &size),
@@ -316,8 +314,7 @@ fn the_pictures_of_the_documentation_have_plain_colours() {
 
 #[test]
 fn an_orbit_that_comes_back_to_the_same_places_is_seen() {
-    // The field has two integrals, so each orbit runs along a closed curve and crosses the plane at
-    // one point.
+    // The field has two integrals, so each orbit is a closed curve with one crossing.
     let rabinovich =
         ["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;", "--eps", "1/10", "--at", "1,1/2,1/3"];
     let section = ["--at", "1,1/3,1/5", "--plane", "z", "--steps", "20000"];

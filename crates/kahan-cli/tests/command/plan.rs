@@ -1,10 +1,8 @@
-//! Tests `kahan show --plan`: a row for every object, the step line by line, and notes on
-//! elimination.
+//! Tests `kahan show --plan`: a row for every object, the step, and notes on elimination.
 
 use crate::running::{answer, kahan, object, text};
 
-/// A field so dense that neither its map nor its elimination can be written as a straight-line
-/// program.
+/// A field whose map and elimination are too long for a straight-line program.
 const DENSE: &str = "
     adot = (a+b+c+d+e+f+g+h)^2 + a*b; bdot = (a-b+2*c+d-e+f+g+h)^2 + b*c; cdot = (a+b-c+d+3*e+f-g+h)^2 + c*d;
     ddot = (a+2*b+c-d+e+f+g-h)^2 + d*e; edot = (3*a+b+c+d-e+f+g+h)^2 + e*f; fdot = (a+b+c-2*d+e-f+g+h)^2 + f*g;

@@ -28,8 +28,7 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
 
-/// Returns the standard output of a run that succeeds. Standard error may have a note on undeclared
-/// names.
+/// Returns the standard output of a run that succeeds.
 pub(crate) fn answer(arguments: &[&str]) -> String {
     let output = kahan(arguments);
     let said = text(&output.stderr);

@@ -7,9 +7,8 @@ use std::process::{Command, Output};
 
 use crate::running::text;
 
-/// Runs the command in a folder, the only place where it finds programs, because cargo may put
-/// kahan-sweep beside the command. The folder has a link to the command. A copied file could not
-/// run while another test starts a process.
+/// Runs the command from a folder without other programs. A copy could not run while another test
+/// starts a process, so the folder gets a link.
 fn sweep(programs: &Path, arguments: &[&str]) -> Output {
     let copy = programs.join("kahan");
     let command = env!("CARGO_BIN_EXE_kahan");

@@ -41,8 +41,7 @@ fn tables() -> Vec<(Vec<String>, String)> {
     done.collect()
 }
 
-/// Returns whether a line is a formula, a statement, a claim, code or a note. These lines are
-/// broken on terminals only.
+/// Returns whether a line is a formula, a claim, code or a note, which only terminals break.
 fn is_formula(line: &str) -> bool {
     let line = line.trim_start();
     let is_named = ["integral ", "density ", "bracket ", "choice", "let orbit", "note ", "random-"];
@@ -54,8 +53,7 @@ fn is_formula(line: &str) -> bool {
 fn every_line_of_a_table_fits_80_columns_or_is_one_number() {
     for (arguments, page) in tables() {
         for line in page.lines() {
-            // A cell is a number without spaces, possibly with the brackets and commas of a vector
-            // or matrix.
+            // A cell is a number, possibly with the brackets and commas of a matrix.
             let cell = line.trim().trim_start_matches(['[', '(']).trim_end_matches([']', ')', ',']).trim();
             let fits = line.chars().count() <= 80 || !cell.contains(' ') || is_sentence(&arguments, line);
             let has_formulas = !["list", "eval", "heights"].contains(&arguments[0].as_str());
@@ -64,7 +62,7 @@ fn every_line_of_a_table_fits_80_columns_or_is_one_number() {
     }
 }
 
-/// Returns whether a line is a sentence below a table. Sentences are broken on terminals only.
+/// Returns whether a line is a sentence below a table, which only terminals break.
 fn is_sentence(arguments: &[String], line: &str) -> bool {
     let of_discover = arguments[0] == "discover" && line.ends_with('.');
     of_discover

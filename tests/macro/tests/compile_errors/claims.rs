@@ -35,7 +35,7 @@ kahan! {
     integral x = x^2 + y^2;
 }
 
-// `eps` is the half time step.
+// The name `eps` is reserved for half the time step.
 kahan! {
     pub struct NamedLikeTheHalfStep;
     xdot = y;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// `when` fixes a value and cannot test one.
+// A condition fixes a value, so it contains `=` instead of a comparison.
 kahan! {
     pub struct Comparison { k }
     xdot = k*y;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// The next value must be a function of F, but a density is none.
+// The next value must be a function of F, not a density.
 kahan! {
     pub struct ByADensity;
     xdot = y;
@@ -11,7 +11,7 @@ kahan! {
     drift F = x^2 + y^2 by rho*F;
 }
 
-// The next value must be a function of F, but a state is none.
+// The next value must be a function of F, not a state.
 kahan! {
     pub struct ByAState;
     xdot = x^2;

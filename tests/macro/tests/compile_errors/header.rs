@@ -32,7 +32,7 @@ kahan! {
     xdot = -k*x;
 }
 
-// `eps` is the half time step.
+// The name `eps` is reserved for half the time step.
 kahan! {
     pub struct ParameterIsReserved { eps }
     xdot = -eps*x;

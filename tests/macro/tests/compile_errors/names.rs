@@ -46,7 +46,7 @@ kahan! {
     integral H = (x^2 + y^2)*(1 + ϵ^2);
 }
 
-// `eps` denotes the half time step in every claim.
+// The name `eps` is reserved for half the time step.
 kahan! {
     pub struct HalfStepAsAState;
     epsdot = -eps;

@@ -14,7 +14,7 @@ kahan! {
     xdot == x;
 }
 
-// The operator is that of Python for powers.
+// The operator `**` is the notation of Python for powers.
 kahan! {
     pub struct DoubleStar;
     xdot = x**2;
@@ -94,13 +94,13 @@ kahan! {
     xdot = (x - 1)(x + 1);
 }
 
-// The method is that of Rust for powers.
+// The method `powi` is the notation of Rust for powers.
 kahan! {
     pub struct Powi;
     xdot = x.powi(2) - x;
 }
 
-// The method is that of Rust for powers, called on a sum.
+// The method `powi` is called on a sum.
 kahan! {
     pub struct PowiOfParentheses;
     xdot = (x - 1).powi(2);
@@ -119,7 +119,7 @@ kahan! {
     ydot = -x;
 }
 
-// No item precedes the `;`.
+// The second `;` ends no item.
 kahan! {
     pub struct StraySemicolon;
     xdot = x;;

@@ -1,5 +1,4 @@
-//! A Lotka–Volterra field of four variables with a skew matrix of ones. It has three integrals, and
-//! a bracket of full rank.
+//! A Lotka–Volterra field of four variables with three integrals and a bracket of full rank.
 
 use kahan_core::prelude::*;
 

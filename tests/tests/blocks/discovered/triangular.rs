@@ -1,5 +1,4 @@
-//! A field that can be integrated equation by equation. The integrals of the map are also
-//! polynomials in ε.
+//! A field that can be integrated equation by equation.
 
 use kahan_core::prelude::*;
 

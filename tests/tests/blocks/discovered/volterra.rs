@@ -1,5 +1,4 @@
-//! The periodic Volterra lattice of three sites, with a linear integral and the modified
-//! Hamiltonian.
+//! The periodic Volterra lattice of three sites.
 
 use kahan_core::prelude::*;
 

@@ -1,6 +1,5 @@
-//! The compile-error cases as data: the text of each `kahan!` block, and the expected output of
-//! rustc. Blocks are found by matching brackets, so comments and strings of the cases must not
-//! contain any.
+//! The compile-error cases as data. Comments and strings in the cases must not contain brackets,
+//! because blocks are found by matching brackets.
 
 use std::fs;
 use std::ops::Range;

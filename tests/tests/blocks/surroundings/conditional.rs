@@ -1,4 +1,4 @@
-//! Claims with `when`. The claims are evaluated at the values that their conditions fix.
+//! Claims with `when`, at the values that the conditions fix.
 
 use kahan_core::prelude::*;
 use kahan_systems::E7;

@@ -7,10 +7,10 @@ use kahan_study::{Axis, Range};
 use crate::printing::{UsageError, joined};
 use crate::reading::{self, named, number, over};
 
-/// The rows of a file to draw, and the column that they show.
+/// A column of a file, and the rows of the file to draw.
 pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
-    /// Ranges, or names of columns. The values of a named column are the midpoints of the cells.
+    /// Ranges, or names of columns whose values are the midpoints of the cells.
     pub(super) over: &'a [String],
     pub(super) column: String,
     pub(super) chosen: &'a [String],
@@ -19,7 +19,7 @@ pub(super) struct Rows<'a> {
 const MOST_DRAWN: usize = 1 << 26;
 
 impl<'a> Rows<'a> {
-    /// Returns the axes and the mean of each cell, row by row from below. Empty cells are NaN.
+    /// Returns the axes and the mean of each cell, the lowest row first. Empty cells are NaN.
     pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Axis>, Vec<f64>), UsageError> {
         let axes = 0..self.over.len();
         let name = |over: &'a String| over.split_once('=').map_or(&**over, |(name, _)| name).trim();
@@ -85,7 +85,6 @@ impl<'a> Rows<'a> {
         Ok((ranges, cells.into_iter().map(Cell::mean).collect()))
     }
 
-    /// Returns the refusal of a file that has no row with the chosen values.
     fn no_rows(&self, chosen: &[(&str, f64)], columns: &[Vec<f64>]) -> UsageError {
         const MOST: usize = 8;
         let there = chosen.iter().zip(columns).find(|((_, value), column)| !column.contains(value));
@@ -111,7 +110,7 @@ fn choice(given: &str) -> Result<(&str, f64), UsageError> {
 #[derive(Clone, Copy, Debug, Default)]
 struct Cell {
     rows: usize,
-    /// The number of rows whose shown column holds a number.
+    /// The number of values in the sum.
     numbers: usize,
     sum: f64,
 }

@@ -1,7 +1,4 @@
-//! Orbits from every start, for all values of parameters, ε and coordinates, as one table.
-//!
-//! In: starts, and ranges by name. Out: one orbit for each start and each combination of values.
-//! Orbits begin one after another, so memory does not grow with the number of rows.
+//! One table of many orbits: an orbit for each start and each combination of values.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::numbers::ScalarKind;
@@ -16,7 +13,7 @@ struct Combinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The fields of the first combinations of values, each with its map.
+    /// The cached fields of the first combinations of values.
     few: Vec<Study>,
 }
 
@@ -47,8 +44,7 @@ impl Orbit {
             }
             Ok(self.question(eps.ok_or(StudyError::MissingStep)?, at))
         };
-        // All combinations and starts begin before the first row is written, because one of them
-        // may be refused.
+        // Every orbit begins before the first row is written, because one may be refused.
         for index in 0..all.count {
             let study = all.study(index)?;
             asked(&starts[0], &all.values(index))?.begin(&study)?;
@@ -74,7 +70,7 @@ impl Orbit {
         self.write(head, &names, orbits, |(start, index, values), table, watch| {
             let ending = asked(start, &values)
                 .and_then(|asked| Ok(asked.begin(&all.study(index)?)?.rows(0..u64::MAX, table, watch)));
-            // If an orbit has no first point, it ends at step 0.
+            // An orbit without a first point ends at step 0.
             Ok(ending.unwrap_or_else(|why| Ending {
                 end: End::Range(0),
                 step: 0,

@@ -1,7 +1,4 @@
-//! The table of orbits: the stream to which it is written, and the ends of its orbits.
-//!
-//! In: metadata, and orbits that write their own rows. Out: the table, and an answer with the
-//! reasons why orbits ended. How steps are made is deliberately absent.
+//! Writes tables of orbits, and reports how the orbits end.
 
 use kahan_study::{Ending, StoredColumn};
 use serde_json::{Map, Value, json};
@@ -11,8 +8,7 @@ use crate::printing::{Answer, Format, OutputStream, ProgressDisplay, Table, Usag
 use crate::reading::option;
 
 impl Orbit {
-    /// Writes a table, orbit by orbit. `places` names the first columns; each orbit brings the
-    /// cells of these columns.
+    /// Writes a table, orbit by orbit. `places` names the columns that identify an orbit.
     pub(super) fn write<O>(
         &self,
         head: Value,
@@ -32,7 +28,7 @@ impl Orbit {
             Err(WriteError::ReaderGone) => Vec::new(),
             Err(WriteError::Failed(why)) => return Ok(Answer::text(String::new()).but(Some(why))),
         };
-        // If the rows are in a file, the answer is the object that describes them.
+        // If a file holds the rows, the answer describes the file.
         let answer = match file {
             Some(path) if self.json => {
                 head.insert("out".to_owned(), json!(path.display().to_string()));
@@ -72,8 +68,7 @@ impl Orbit {
     }
 }
 
-/// Returns how orbits ended as members of an object: `ended`, `ended_step`, `stopped` (null for
-/// complete orbits) and possibly `note`. For several orbits, each member is a list.
+/// Returns the JSON members that say how orbits ended. For several orbits, each member is a list.
 fn ended(endings: &[Ending]) -> Map<String, Value> {
     let of_all = |value: fn(&Ending) -> Value| match endings {
         [] => Value::Null,
@@ -91,7 +86,7 @@ fn ended(endings: &[Ending]) -> Map<String, Value> {
     entries.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
-/// Says how many orbits ended early, and why the first of them did; `None` if all are complete.
+/// Says how many orbits ended early, and why the first did; `None` if all are complete.
 fn complaint(endings: &[Ending]) -> Option<String> {
     let early = endings.iter().enumerate();
     let mut early = early.filter_map(|(orbit, ending)| Some((orbit, ending.in_words(option)?)));

@@ -50,8 +50,7 @@ impl AnsweredQuestion {
 /// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
     pub(super) valued: &'a Field,
-    /// The field whose parameters have values. If the text claims no integral, the field has the
-    /// discovered integrals instead of claimed integrals.
+    /// The field with parameter values, and with discovered integrals if the text claims none.
     pub(super) kept: &'a Field,
     /// The field with only the values that the user gave.
     pub(super) generic: &'a Field,
@@ -138,7 +137,7 @@ impl Subject<'_> {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
         };
-        // The first range of a chart varies fastest, as does the last axis of a question.
+        // A chart's first range varies fastest, and so does a question's last axis.
         let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
             let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
             let range = range.expect("printed numbers make a range");
@@ -162,7 +161,6 @@ impl Subject<'_> {
 
     /// Returns the cheapest integrator settings for the time that the figures span.
     pub(super) fn settings(&self) -> Markup {
-        /// The number of steps that the figures make in the simulated time.
         const STEPS: f64 = 400.0;
         let horizon = Rational::parse(&decimal(2.0 * self.shown.eps.to_f64() * STEPS));
         let asked = Trade::new(self.shown.start.clone(), horizon.expect("a printed number is one"));
@@ -189,22 +187,19 @@ impl Subject<'_> {
         figure(id, title, &line, drawn)
     }
 
-    /// Returns the number of steps for exponents. With more variables, fewer steps are made,
-    /// because tangent vectors cost more.
+    /// Returns the number of steps for exponents, which falls with the number of variables.
     fn steps(&self) -> u64 {
         let variables = self.variables.len() as u64;
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
     }
 
-    /// Returns the number of steps for a section. The number grows with the available time, and
-    /// falls with the number of variables.
+    /// Returns the number of steps for a section.
     fn crossing_steps(&self) -> u64 {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as u64
     }
 
-    /// Returns the number of cells in a row of the chart. The number grows with the available time,
-    /// and falls with the number of variables.
+    /// Returns the number of cells in a row of the chart.
     fn cells(&self) -> usize {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
@@ -223,8 +218,8 @@ impl Subject<'_> {
         PictureRequest { spread, seconds: SECONDS, ..PictureRequest::portrait(eps.clone(), at, steps) }
     }
 
-    /// Returns the plane through the middle of the third variable. If this variable hardly varies,
-    /// returns the plane for the variable that varies most.
+    /// Returns a plane halfway through the range of the third variable, or of the variable with the
+    /// longest range if the third is nearly constant.
     fn plane(&self) -> String {
         const MOVES: f64 = 1e-3;
 
@@ -274,10 +269,10 @@ pub(super) fn command(line: &CommandLine) -> Markup {
     html! { pre.command tabindex="0" { code { (line) } } }
 }
 
-/// Explains a section by the number of crossings and by the number of their distinct positions.
+/// Explains by the numbers of crossings whether a section shows curves or areas.
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
-    /// Crossings count as repeated if each position is visited at least this often in the mean.
+    /// The mean number of crossings at a place, above which orbits count as periodic.
     const OFTEN: usize = 10;
 
     let of =
@@ -307,7 +302,7 @@ fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     }
 }
 
-/// Rounds a number to a unit between 1/1000 and 1/100 of an interval of this length.
+/// Rounds a number to a unit, the largest power of ten below a hundredth of `length`.
 fn between(value: f64, length: f64) -> String {
     let unit = libm::exp10(libm::log10(length / 100.0).floor());
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };

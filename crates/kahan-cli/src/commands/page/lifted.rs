@@ -1,5 +1,4 @@
-//! The page of a lifted field. The lift is chosen once, along the orbit of the figures. The text on
-//! the page contains the start of this orbit, so that each command chooses the same lift.
+//! The page of a lifted field, whose text contains the start that determines the lift.
 
 use kahan_draw::answer;
 use kahan_draw::picture::{PictureOptions, relations};
@@ -13,8 +12,7 @@ use crate::printing::{UsageError, joined};
 use crate::reading::{Block, Source};
 
 impl Page {
-    /// Returns the source and its block. In the text of a lifted field, adds the start along whose
-    /// orbit the lift was chosen.
+    /// Returns the source and its block. A lifted field's text gets the start of the orbit.
     pub(super) fn with_chosen_start(&self, block: &Block) -> Result<(Source, Block), UsageError> {
         let as_given = (self.source.clone(), block.clone());
         let study = self.source.study_of_block(block, self.at.as_deref())?;
@@ -37,8 +35,7 @@ impl Page {
 }
 
 impl Subject<'_> {
-    /// Returns the equations before and after the lift, and the behaviour of the relations' errors.
-    /// `written` is the given text.
+    /// Returns the equations before and after the lift, and the errors of the relations.
     pub(super) fn lift(&self, written: &str) -> Markup {
         let (eps, start) = (&self.shown.eps, joined(&self.shown.start, ","));
         let found = match self.valued.study.lift_found(Some(eps.to_f64())) {

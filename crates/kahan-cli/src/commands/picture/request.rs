@@ -1,7 +1,4 @@
-//! A picture as a value: which orbits to show, what to show of them, and the look of the picture.
-//!
-//! In: a [`PictureRequest`], from arguments or from a page, and a field. Out: the questions, and
-//! the drawings that `kahan-draw` makes of the answers. The parent module parses arguments.
+//! Requests for pictures, and the answers to these requests.
 
 use std::path::PathBuf;
 
@@ -15,7 +12,6 @@ use super::super::image_options::{ImageOptions, usual};
 use super::starts::{StartSpec, StartSpread};
 use crate::printing::{ProgressDisplay, UsageError};
 
-/// The contents and the look of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PictureRequest {
     pub(crate) what: PictureContent,
@@ -23,7 +19,6 @@ pub(crate) struct PictureRequest {
     pub(crate) eps: Option<Rational>,
     pub(crate) at: Vec<StartSpec>,
     pub(crate) spread: StartSpread,
-    /// The number of steps of each orbit.
     pub(crate) steps: u64,
     /// The names of the axes (variables, formulas or t); empty for the default.
     pub(crate) axes: Vec<String>,
@@ -40,28 +35,26 @@ pub(crate) struct PictureRequest {
 pub(crate) enum PictureContent {
     /// Orbits in the plane or in space.
     Portrait,
-    /// Crossings of orbits with a section; the picture gives ε and the first points.
+    /// Crossings of orbits with a section. [`PictureRequest`] gives ε and the first points.
     Section(Box<Section>),
-    /// An orbit diagram over a parameter or ε; the picture gives the first points and the steps.
+    /// An orbit diagram. [`PictureRequest`] gives the first points and the number of steps.
     Over(Box<Diagram>),
     /// The growth of the heights of an exact orbit.
     Heights,
 }
 
 impl PictureContent {
-    /// Asks for the crossings at which a formula vanishes and increases, within a number of steps.
+    /// Asks for the points at which the formula `plane` vanishes and increases.
     pub(crate) fn section(plane: &str, steps: u64) -> Self {
         PictureContent::Section(Box::new(Section::new(Rational::zero(), Vec::new(), steps, plane)))
     }
 }
 
-/// A picture, with notes for the user.
 pub(crate) struct NotedPicture {
     pub(crate) picture: Picture,
     pub(crate) notes: Vec<String>,
 }
 
-/// The largest number of points in a picture.
 const MOST_POINTS: u64 = 10_000_000;
 /// The largest number of points that are joined by lines.
 const MOST_JOINED: u64 = 100_000;
@@ -115,9 +108,7 @@ impl PictureRequest {
         })
     }
 
-    /// Returns the axes. The default for a portrait is the first three variables. For a section it
-    /// is the first two variables, leaving out the last variable in the formula. For an orbit
-    /// diagram it is the first variable.
+    /// Returns the axes; by default, the first variables of the field.
     fn axes(&self, study: &Study) -> Result<Vec<Coordinate>, UsageError> {
         let variables = study.shown().len();
         Ok(match (&self.what, &self.axes[..]) {
@@ -156,8 +147,7 @@ impl PictureRequest {
         })
     }
 
-    /// Returns the variable called `name`. If no variable has this name, `t` stands for the time,
-    /// and any other text is a formula.
+    /// Parses an axis: the name of a variable, `t` for the time, or a formula.
     fn axis(&self, name: &str, study: &Study) -> Result<Coordinate, UsageError> {
         if let Some(index) = study.shown().iter().position(|known| known == name) {
             return Ok(Coordinate::Variable(index));
@@ -208,8 +198,7 @@ impl PictureRequest {
         )))
     }
 
-    /// Asks for one first point after the other while time remains; `steps` is the work for one
-    /// point. Also returns whether time ran out.
+    /// Asks about the starts one by one while time remains. Also returns whether time ran out.
     fn each<A>(
         &self,
         starts: &[Vec<Rational>],
@@ -312,7 +301,7 @@ impl PictureRequest {
     }
 }
 
-/// Describes the orbits that ended early, and those for which no time was left.
+/// Describes the orbits that ended early, or were left out for lack of time.
 fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
     if is_cut {
         let cut = "time ran out, and the picture shows the points so far; increase --seconds to draw all";

@@ -12,7 +12,6 @@ use crate::reading::{is_number_file, point, points};
 /// The value of one `--at`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum StartSpec {
-    /// A point.
     Point(Vec<Rational>),
     /// The two ends of a line.
     Line(Vec<Rational>, Vec<Rational>),
@@ -70,8 +69,7 @@ impl StartSpread {
 
     /// Draws random points in a cube around a point.
     fn around(&self, middle: &[Rational], count: usize, random: &mut SplitMix64) -> Vec<Vec<Rational>> {
-        /// The number of parts of the radius that random coordinates are multiples of. A small
-        /// number keeps the fractions short.
+        /// Random coordinates are multiples of the radius over this number.
         const PARTS: i64 = 1 << 20;
 
         let part = self.radius.checked_div(&Rational::from(PARTS)).expect("there are parts");
@@ -83,8 +81,7 @@ impl StartSpread {
     }
 }
 
-/// Returns equidistant points on a line, including both ends. For a count of 1, returns the first
-/// end.
+/// Returns equidistant points from one end of a line to the other.
 fn points_on_line(from: &[Rational], to: &[Rational], count: usize) -> Vec<Vec<Rational>> {
     let parts = Rational::from(count.saturating_sub(1).max(1) as i64);
     let start = |i: usize| {

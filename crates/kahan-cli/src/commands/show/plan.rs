@@ -1,5 +1,4 @@
-//! Prints `kahan show --plan`: the cost of each generated function, and the step as a straight-line
-//! program.
+//! Prints the plan of the generated code: the cost of each function, and the step as a program.
 
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::kahan::TERM_BUDGET;
@@ -86,7 +85,7 @@ fn step_section(page: &mut Page, name: &str, step: &Listing) {
     page.section(&format!("how far the {name} holds"), domain(step.holds_to));
 }
 
-/// Describes the step sizes for which the error is near that of elimination.
+/// Says for which step sizes the plan is about as accurate as elimination.
 fn domain(holds_to: u32) -> Vec<String> {
     let end = if holds_to == LARGEST_SIZE {
         "as far as was looked."

@@ -1,5 +1,4 @@
-//! Tests `kahan orbit --order`: results equal to those of the library's compositions bit for bit,
-//! their integrals, and their poles.
+//! Tests `kahan orbit --order` against the library's compositions, bit for bit.
 
 use kahan_core::Composition;
 use kahan_core::prelude::*;
@@ -14,7 +13,7 @@ fn object(arguments: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).expect("one object")
 }
 
-/// Returns the rows without n and t; `f64` reads the texts exactly.
+/// Returns the rows without n and t.
 fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {output:?}");
@@ -23,8 +22,7 @@ fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(row).collect()
 }
 
-/// On a target with fused multiply-adds, generated code rounds a multiply-add once, and the command
-/// rounds it twice.
+/// A target with fused multiply-adds rounds generated code differently.
 #[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn orbits_of_every_order_are_those_of_the_library_bit_for_bit() {
@@ -55,8 +53,7 @@ fn change(order: &str, column: usize) -> f64 {
     rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max)
 }
 
-/// Up to rounding, Kahan's map preserves H at its ε. A composition preserves H at ε = 0, up to its
-/// order.
+/// Kahan's map preserves an integral up to rounding, a composition up to its order.
 #[test]
 fn a_composition_keeps_the_integral_of_the_flow_to_its_order() {
     assert!(change("2", 3) < 1e-14);

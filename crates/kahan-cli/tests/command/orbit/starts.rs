@@ -108,8 +108,7 @@ fn of_several_rows_each_begins_an_orbit() {
 
 #[test]
 fn an_orbit_that_ends_early_ends_alone() {
-    // For E1 at ε = −1/4, 1/x changes by 2ε in each step. From x = 2/3, the third step meets a
-    // pole.
+    // For E1 at ε = −1/4, the third step from x = 2/3 meets a pole.
     let folder = folder();
     let path = file(&folder, "x,y,z\n1/9,1,1\n2/3,1,1\n1/8,1,1\n2/3,1,1\n");
     let asked = ["e1", "--eps", "-1/4", "--at", &path, "--steps", "4", "--scalar", "exact"];

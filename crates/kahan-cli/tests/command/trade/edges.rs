@@ -1,5 +1,4 @@
-//! Edge cases of `kahan trade`: near a pole, at very large or small numbers, without time, and
-//! where double-double is cheapest.
+//! Tests `kahan trade` near a pole, at very large or small numbers, and without time.
 
 use std::process::Output;
 
@@ -24,8 +23,7 @@ fn complaint(arguments: &[&str], status: i32) -> String {
     String::from_utf8(output.stderr).expect("UTF-8")
 }
 
-/// The solution is x = tan t, and the horizon is 0.0068 before the pole π/2 ≈ 1.5708. Errors are
-/// relative to the trajectory before the horizon.
+/// The solution is x = tan t, and the horizon is 0.0068 before the pole π/2.
 #[test]
 fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     let scene = ["--field", "xdot = x^2 + 1;", "--at", "0", "--horizon", "1.564", "--tolerance", "1e-4"];
@@ -38,8 +36,7 @@ fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 
-/// E6 has the symmetry (x, ε) ↦ (λx, ε/λ). Errors in `f64` are equal at λ = 2⁻¹²⁵ and λ = 2¹²⁵, the
-/// limits of `f32`.
+/// E6 has the symmetry (x, ε) ↦ (λx, ε/λ), so errors in `f64` do not depend on the scale.
 #[test]
 fn a_homogeneous_field_is_served_alike_at_every_scale() {
     let of = |point: &str, horizon: &str| {
@@ -99,8 +96,7 @@ fn systems_beyond_the_paper_are_timed_as_compiled_too() {
     assert_eq!(object["timing"], "measured");
 }
 
-/// The tolerance for the integrals of E6 is a few rounding errors of `f64`. Compensated steps would
-/// have to be fifty times finer than steps in double-double, which cost ten times as much.
+/// Compensated steps would have to be fifty times finer than steps in double-double.
 #[test]
 fn double_double_is_tried_where_the_roundings_of_f64_are_felt() {
     let scene =

@@ -1,5 +1,4 @@
-//! Tests the Pareto front, the choice and the refusals of `kahan trade`. Prices are times, so only
-//! their sign is tested. Errors are computed again from orbits of the library.
+//! Tests the Pareto front, the choice and the refusals of `kahan trade`.
 
 mod edges;
 
@@ -24,7 +23,7 @@ fn number(object: &Value, key: &str) -> f64 {
     object[key].as_f64().unwrap_or_else(|| panic!("{key} in {object}"))
 }
 
-/// Returns ε to the last bit, for an orbit that ends at the horizon; in JSON ε may be rounded.
+/// Returns the exact ε of a setting, because JSON may round the number.
 fn eps_of(setting: &Value, horizon: f64) -> f64 {
     let eps = horizon / (2.0 * number(setting, "steps"));
     match setting["scalar"].as_str() {
@@ -81,8 +80,7 @@ fn every_setting_has_the_keys_and_the_front_is_a_front() {
     assert!(cheaper.map(miss).all(|miss| miss > 1e-6), "a cheaper setting does too");
 }
 
-/// Returns the largest distance of the setting's orbit from the trajectory, relative to the size of
-/// the trajectory.
+/// Returns the largest relative distance of the setting's orbit from the trajectory.
 fn error_of(setting: &Value, horizon: f64) -> f64 {
     let start = ["1", "1/2", "1/3"].map(|text| Rational::parse(text).expect("a number").to_big());
     let asked =
