@@ -1,9 +1,9 @@
 //! Maps of the plane: proofs of exponential growth of degrees, and conclusions from linear growth.
 //!
-//! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. A(x)x̃ is affine in x for
-//! A = I − ε f′, so φ is given by three quadratic forms Φ on ℙ², and dₖ = deg φᵏ ≤ 2ᵏ. The function
-//! `growth` proves exponential growth by one large degree or by the module `stability`. The
-//! function `linear` excludes integrals by linear growth.
+//! Let φ be Kahan's map in two variables. A(x)x̃ is affine in x for A = I − ε f′, so φ is given by
+//! three quadratic forms Φ on ℙ², and dₖ = deg φᵏ ≤ 2ᵏ. The function `growth` proves exponential
+//! growth by one large degree or by the module `stability`. The function `linear` excludes
+//! integrals by linear growth.
 
 mod stability;
 
@@ -19,13 +19,12 @@ use crate::orbits::growth::{Growth, GrowthVerdict};
 /// A proof that degrees grow exponentially.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GrowthProof {
-    /// The degrees of all iterates are dₖ = 2ᵏ, since the map is algebraically stable modulo a
-    /// prime.
+    /// The map is algebraically stable modulo a prime, so the iterates have the degrees 2ᵏ.
     Stable {
         /// The prime modulo which the map is stable.
         prime: u64,
     },
-    /// One degree satisfies dₖ > k² + 1, which proves that growth is exponential.
+    /// Iterate k has a degree dₖ > k² + 1, which proves exponential growth.
     Degree {
         /// The number k of the iterate.
         iterate: usize,
@@ -37,14 +36,14 @@ pub enum GrowthProof {
 /// The numbers k of the iterates to try in turn. The proof needs a degree dₖ > k² + 1.
 const ITERATES: [usize; 4] = [8, 16, 32, 64];
 
-/// Classifies the growth of the degrees of a sampled map. In the plane, exponential growth is also
-/// proved.
+/// Classifies the growth of the degrees of a sampled map, and proves exponential growth in the
+/// plane.
 ///
-/// **A bound on degrees.** Suppose that φ preserves a pencil of curves, curve by curve (as with a
-/// rational integral) or permuting them. Let w be the class of these curves in the Picard–Manin
-/// space, and ℓ the class of a line. Then w² = 0, w·ℓ > 0 and φ∗w = w. The classes uⱼ = φʲ∗ℓ
-/// satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ − uⱼ lies in w^⊥, on which the form is negative
-/// semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎ − 1). The triangle inequality gives
+/// **A bound on degrees.** Suppose that φ maps a pencil of curves to itself. Let w be the class of
+/// these curves in the Picard–Manin space, and ℓ that of a line. Then φ∗w = w, w² = 0 and w·ℓ > 0.
+/// The classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ − uⱼ lies in w^⊥, on which
+/// the form is negative semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎ − 1). The triangle
+/// inequality gives
 ///
 /// dₖ − 1 ≤ k²(d₁ − 1) ≤ k².
 ///
@@ -54,11 +53,10 @@ const ITERATES: [usize; 4] = [8, 16, 32, 64];
 /// growth is exponential and that no rational integral exists.
 ///
 /// **Degrees modulo a prime are lower bounds.** Let R be ℤ[parameters, ε] localised at the prime
-/// ideal of the prime and the sampled values; R is factorial. By Gauss's lemma Φᵏ = HΨ with forms H
-/// and Ψ over R, where Ψ has degree dₖ. Suppose that a point of a line has a k-th image modulo the
-/// prime. Then the reduced Φᵏ and H are not zero there, and the reduced Ψ gives this image. On the
-/// line these images are rational functions of degree at most dₖ, for which Thiele's continued
-/// fraction finds at most this degree.
+/// ideal of the prime and the sampled values. By Gauss's lemma Φᵏ = HΨ with forms H and Ψ over R,
+/// where Ψ has degree dₖ. Suppose that a point has an image under φᵏ modulo the prime. Then Ψ
+/// modulo the prime gives this image. On a line these images are rational functions of degree at
+/// most dₖ, for which Thiele's continued fraction finds at most this degree.
 pub(crate) fn growth(
     searched: &SearchField,
     map: &ModularMap,
@@ -98,16 +96,16 @@ pub(crate) fn growth(
 /// The number of iterates over which degrees must grow linearly before growth is called linear.
 const LINEAR_ITERATES: usize = 200;
 
-/// Returns the number of iterates whose degrees grow linearly. `None` unless linear growth excludes
+/// Returns the number of iterates with linear growth of degrees, if linear growth excludes
 /// integrals.
 ///
-/// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre). It acts on
-/// the parameter t of the pencil by a Möbius map μ. A drift F and an integral are constant on the
-/// curves, so both are functions of t. If F ↦ F(x̃) has infinite order as a Möbius map, so has μ,
-/// and every integral is constant. F + c with c ≠ 0 has infinite order, and so has c·F unless c =
-/// ±1. Suppose that ε is generic and the field is defined at ε = 0. Then a Möbius map with matrix M
-/// has infinite order, too. For order n > 1, (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε, but at ε =
-/// 0 the map is the identity with the value 4. Linear growth itself is observed, not proved.
+/// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre), with a
+/// Möbius map μ of the parameter t of the pencil. Integrals and drifts are functions of t. If a
+/// drift has infinite order as a Möbius map, so has μ, and every integral is constant. F + c with c
+/// ≠ 0 and c·F with c ≠ ±1 have infinite order. A Möbius map with matrix M of finite order n > 1
+/// satisfies (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε. For a field that is defined at ε = 0, the
+/// map is the identity there, with the value 4, so other Möbius maps have infinite order at generic
+/// ε. Linear growth itself is observed, not proved.
 pub(crate) fn linear(
     searched: &SearchField,
     map: &ModularMap,
