@@ -15,7 +15,7 @@ const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 /// the computation is not called again.
 pub struct Work<'a> {
     watch: &'a dyn Watch,
-    /// The stage; below, the number of finished items and of all items.
+    /// The current stage.
     stage: RefCell<String>,
     count: Cell<(u64, Option<u64>)>,
     looked: Cell<Option<Duration>>,

@@ -22,7 +22,7 @@ pub const MOST_READABLE: usize = 4000;
 /// The fixed values and the limits of a search.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The fixed value of ε, half the time step. `None` for a generic ε.
+    /// The fixed value of ε, half the time step, or `None` for a generic ε.
     pub eps: Option<Rational>,
     /// The names and values of fixed parameters. All other parameters are generic.
     pub parameters: Vec<(String, Rational)>,
@@ -85,7 +85,7 @@ pub struct DensitySearch {
 /// A decomposition f = K∇H of the field f with a constant antisymmetric matrix K.
 #[derive(Clone, Debug)]
 pub struct HamiltonianReport {
-    /// The number of this K, counted from 1. `None` if there is only one K.
+    /// The number of this K, counted from 1, or `None` if there is only one K.
     pub number: Option<usize>,
     /// The matrix K, row by row.
     pub tensor: Vec<Vec<String>>,
@@ -204,10 +204,10 @@ pub struct Report {
     pub degrees: Vec<usize>,
     /// The growth of the degrees of the iterates.
     pub growth: GrowthVerdict,
-    /// The number of iterates with linear growth of degrees in the plane. `None` unless linear
-    /// growth excludes integrals.
+    /// The number of iterates with linear growth of degrees in the plane, if linear growth excludes
+    /// integrals.
     pub linear_iterates: Option<usize>,
-    /// The Hilbert function of a generic orbit. `None` if every orbit ended at a pole.
+    /// The Hilbert function of a generic orbit, or `None` if every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
     /// The number of independent algebraic integrals that orbits show or that are proved, with or
     /// without a formula.
@@ -235,7 +235,7 @@ pub struct Report {
     pub own_density: Option<String>,
     /// The structure of the field.
     pub structure: StructureReport,
-    /// The integrals that the composed map preserves. `None` without integrals.
+    /// The integrals that the composed map preserves, or `None` without integrals.
     pub survivors: Option<CompositionIntegrals>,
     /// Whether the time ran out before the search was complete.
     pub out_of_time: bool,

@@ -40,6 +40,7 @@ pub struct DegreesAndRanks {
     pub integrals: usize,
 }
 
+/// A point of the grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GridPoint {
     /// The values of the scanned parameters, in the order of the names.
@@ -55,8 +56,8 @@ pub struct Scan {
     pub names: Vec<String>,
     /// The degrees and ranks at generic values of all scanned parameters.
     pub generic: DegreesAndRanks,
-    /// The points of the grid, of which the last may be missing if time ran out. The last parameter
-    /// changes from point to point.
+    /// The points of the grid, in the order in which the last parameter changes first. Points are
+    /// missing if time ran out.
     pub points: Vec<GridPoint>,
     /// Relations between scanned parameters at which all points of the grid are special.
     pub relations: Vec<Proposal>,

@@ -13,7 +13,8 @@ use kahan_algebra::system::Claim;
 /// The observer of a long computation. The default methods provide no clock and one thread, and
 /// ignore all calls.
 pub trait Watch: Sync {
-    /// Returns the time since a fixed moment. Without a clock, `None`, time limits do not apply.
+    /// Returns the time since a fixed moment, or `None` without a clock. Time limits then do not
+    /// apply.
     fn now(&self) -> Option<Duration> {
         None
     }
@@ -21,8 +22,8 @@ pub trait Watch: Sync {
     /// Receives the progress. The answer `Break` ends the computation as if its time limit had
     /// passed, and the watch is not called again.
     ///
-    /// Calls follow the begin of each stage and each finding. While items are counted, a watch with
-    /// a clock is called at most a few times a second.
+    /// `look` is called at the start of each stage and after each finding. While items are counted,
+    /// a watch with a clock is called at most a few times a second.
     fn look(&self, _progress: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

@@ -104,8 +104,7 @@ case             integrals written growth      densities drifts ranks          l
     }
 }
 
-/// Returns the integrals that `kahan discover` prints, the other claims, and the compact forms of
-/// modified Hamiltonians.
+/// Collects all printed claims and the compact forms of modified Hamiltonians.
 fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
     for hamiltonian in report.compact() {

@@ -40,7 +40,8 @@ pub struct Formula {
     pub numerator: Polynomial,
     /// The denominator.
     pub denominator: Polynomial,
-    /// The irreducible factors of an integral that depend on states; empty for a density.
+    /// The irreducible factors of an integral that depend on states. For a density the list is
+    /// empty.
     pub factors: Vec<Polynomial>,
 }
 
@@ -88,9 +89,9 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// Returns the name of the block's own density if a density found here would replace it.
+    /// Returns the name of the system's own density if a density found here would replace it.
     ///
-    /// A block may hold only one density without a `when` clause.
+    /// A `kahan!` block may hold only one density without a `when` clause.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;

@@ -158,7 +158,7 @@ fn orbits(report: &Report) -> Vec<String> {
         format!(
             "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
             match report.bound {
-                // A proved bound of 0 leaves no doubt.
+                // Each of these bounds proves that no integral exists.
                 Bound::Orbits | Bound::Ceiling | Bound::Growth | Bound::Drifts if report.independent == 0 => "",
                 _ => " This bounds the degree and does not prove that there is none.",
             }

@@ -1,4 +1,4 @@
-//! Computes det(I − ε f′) for fields whose map is beyond the budget.
+//! Computes det(I − ε f′) of a field f whose map is beyond the budget of terms.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{maximal_minors, scaled_matrix};
@@ -7,7 +7,7 @@ use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
 /// The most variables. The computation stores a minor for every set of columns.
 const MOST_VARIABLES: usize = 12;
 
-/// Returns ∏q · det A(x,ε), where qᵢ is the denominator of component i of the field.
+/// Returns ∏q · det(I − ε f′), where qᵢ is the denominator of component i of the field f.
 ///
 /// # Errors
 /// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.
@@ -53,8 +53,8 @@ mod tests {
         let map = RationalMap::of(&field).unwrap();
         let mut budget = Budget::new(1000, 1_000_000);
         assert_eq!(determinant(&field, &mut budget).unwrap(), map.denominator);
-        // For the unit vector with index i, the result is n̂ᵢ, and the map has the numerator xᵢD̂ +
-        // 2ε n̂ᵢ and the denominator D̂ = det A.
+        // The unit vector with index i gives n̂ᵢ. Component i of the map is (xᵢD̂ + 2ε n̂ᵢ)/D̂ with
+        // D̂ = det A.
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&2.into());
         for i in 0..3 {
             let mut unit = vec![Polynomial::zero(); 3];

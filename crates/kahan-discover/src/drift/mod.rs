@@ -40,7 +40,6 @@ pub(crate) const SHARE: f64 = 0.03;
 
 const HIGHEST: u32 = 4;
 
-/// The most products in all eliminations together.
 const MOST_PRODUCTS: usize = 20_000_000;
 
 const MOST_DIMENSIONS: usize = 8;

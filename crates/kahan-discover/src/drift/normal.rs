@@ -81,7 +81,7 @@ pub(super) struct FunctionWithNext {
     pub(super) next: Next,
 }
 
-/// Returns all drifts of the table above. The variable `free` must not occur in M.
+/// Returns all drifts in the module's table. The variable `free` must not occur in M.
 pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();

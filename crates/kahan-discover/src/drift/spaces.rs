@@ -18,13 +18,12 @@ type Pairs = Vec<Vec<u64>>;
 
 pub(super) struct Points {
     modulus: Modulus,
-    /// For each point x: the monomials at x, the monomials at x̃ times the power of the map's
-    /// denominator that clears fractions, and the factors of cofactors at x.
+    /// Each entry has the monomials at a point x, the monomials at x̃ times a power of the map's
+    /// denominator, and the factors of cofactors at x.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 
 impl Points {
-    /// Samples enough points to determine pairs of polynomials.
     pub(super) fn new(
         searched: &SearchField,
         sample: &Sample,
@@ -114,8 +113,8 @@ impl InvariantSpace {
         })
     }
 
-    /// Returns whether M is a multiple of the identity. All quotients of elements are then
-    /// integrals.
+    /// Returns whether the matrix M is a multiple of the identity. All quotients of elements are
+    /// then integrals.
     pub(super) fn is_scalar(&self) -> bool {
         let first = self.matrix[0][0];
         self.matrix

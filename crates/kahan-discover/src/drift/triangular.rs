@@ -20,7 +20,7 @@ use super::{Constant, DriftKind};
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 200_000;
 
-/// The exponents of an earlier drift that are tried as factors of a state.
+/// The exponents k to try in products w·F^k of a state w and an earlier drift F.
 const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
 
 pub(super) struct TriangularSystem {
@@ -59,7 +59,6 @@ impl TriangularSystem {
         self.symbols.states.iter().position(|known| known == name).map(|index| self.symbols.state(index))
     }
 
-    /// Returns the drift's variable, its next value, the kind of that value, and its text.
     pub(super) fn written(
         &self,
         name: &str,

@@ -16,10 +16,10 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::tidy;
 
-/// The most coefficients in a search that precedes the acceptance of known integrals.
+/// The most coefficients of a search that may run before known integrals are accepted.
 const MOST_AHEAD: usize = 150;
 
-/// The greatest length of an integral P/Q that is not simplified.
+/// Integrals P/Q of at most this length are not simplified.
 const SHORT: usize = 60;
 
 pub(crate) struct Accepted<'a> {

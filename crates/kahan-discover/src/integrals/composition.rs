@@ -21,7 +21,7 @@ pub struct CompositionIntegrals {
     pub hilbert: Hilbert,
     /// Whether the composed map preserves each formula.
     pub formulas: Vec<bool>,
-    /// Pairs of formulas whose quotient alone is preserved.
+    /// Pairs of formulas of which the composed map preserves only the quotient.
     pub quotients: Vec<(usize, usize)>,
 }
 

@@ -1,5 +1,5 @@
-//! Finds special elements P + cQ of a pencil, whose quotient P/Q is an integral: elements that
-//! factor, have lower degree, or are free of ε.
+//! Finds special elements P + cQ for an integral P/Q: elements that factor, have lower degree, or
+//! are free of ε.
 //!
 //! Let F(s, t) be a polynomial of degree d. The equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions G, H
 //! of degree d − 1 other than multiples of ∇F if and only if F factors over ℂ or has a square
@@ -65,7 +65,7 @@ pub(crate) fn special_members(
     members(searched, &monomials, pair)
 }
 
-/// Finds [`special_members`], where `pair` returns P and Q at values of the unknowns.
+/// Finds special elements, where `pair` returns P and Q at values of the unknowns.
 pub(crate) fn members(
     searched: &SearchField,
     monomials: &Monomials,
@@ -174,7 +174,7 @@ fn special(
         let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
         left.iter().zip(right).map(sum).collect()
     };
-    // In a random basis of the pencil, no special element has c = ∞.
+    // In a random basis of the elements P + cQ, no special element has c = ∞.
     let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
     let degree = monomials.degree() as usize;
     let plane = Plane::random(*modulus, monomials, random);
@@ -182,8 +182,7 @@ fn special(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // If F lacks the term sᵈ, ∇F is a solution again. Division removes the value of c with such an
-    // F.
+    // If F lacks the term sᵈ, ∇F is a solution again. This value of c is divided out.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;

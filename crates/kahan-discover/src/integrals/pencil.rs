@@ -46,8 +46,8 @@ pub(crate) struct PencilEntry {
 }
 
 impl PencilEntry {
-    /// Finds P and Q such that the coefficient c of the orbits' relations equals P/Q, from P − cQ =
-    /// 0 at the starts of the orbits. Returns `None` unless the solution is unique.
+    /// Finds the quotient P/Q that equals this coefficient at the starts of all orbits. Returns
+    /// `None` unless the solution is unique.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,

@@ -33,10 +33,10 @@ pub struct SearchGoals<'a> {
     pub proved: &'a [Formula],
     /// Polynomial integrals of the flow that the map preserves.
     pub kept: &'a [Polynomial],
-    /// Integrals P/Q, and a deadline. The search accepts each integral after its degree, and all
-    /// others before the deadline.
+    /// Integrals P/Q that are accepted after the search of their degree, or else before this
+    /// deadline.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
-    /// The number and degrees of integrals that orbits show. `None` prevents a search.
+    /// The number and degrees of integrals that orbits show, or `None` to prevent a search.
     pub hilbert: Option<&'a Hilbert>,
     /// Known integrals P/Q, accepted unless the search finds others of lower degree.
     pub known: &'a [(Polynomial, Polynomial)],

@@ -23,7 +23,7 @@ use crate::orbits::relations::{gradient, monomial_gradients};
 pub struct FormulaLimits {
     /// The most unknown coefficients of numerator and denominator together.
     pub coefficients: usize,
-    /// The most monomials in the shortest polynomial of a pencil.
+    /// The most monomials in the shortest polynomial of a [`Pencil`].
     pub terms: usize,
     /// The most orders of the variables to try for relations with many monomials.
     pub orders: usize,
@@ -59,7 +59,7 @@ pub fn spanned_pencils<M: ModularStep>(
     search.pencils
 }
 
-/// Finds pencils of exactly this degree in which coefficients of relations are quotients P/Q.
+/// Finds [`Pencil`]s of exactly this degree in which coefficients of relations are quotients P/Q.
 ///
 /// The integrals are independent of the functions whose gradients at a point `known` returns. The
 /// list is empty if the deadline passes. For P and Q with N monomials each, the search needs 2N

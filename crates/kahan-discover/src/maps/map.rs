@@ -170,7 +170,6 @@ impl ModularMap {
         let width = n + 1;
         let mut matrix = self.extended_matrix(point, eps);
         let mut is_negative = false;
-        // Counts the rows that each pivot multiplies.
         let mut multiplied = vec![0u32; n];
         for k in 0..n {
             let found = (k..n).find(|&row| matrix[row * width + k] != 0)?;

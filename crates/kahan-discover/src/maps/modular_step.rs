@@ -12,7 +12,7 @@ pub trait ModularStep {
     /// Returns the number of states n.
     fn dimension(&self) -> usize;
 
-    /// Returns the image of a point. `None` at a pole.
+    /// Returns the image of a point, or `None` at a pole.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
 
     /// Returns generators of the sign changes of states that map orbits to orbits, as bit sets of

@@ -44,7 +44,7 @@ pub struct SampledStep {
 }
 
 impl Sample {
-    /// Returns a random point with its image. Returns `None` at a pole.
+    /// Returns a random point with its image, or `None` at a pole.
     pub fn step(self, random: &mut SplitMix64) -> Option<SampledStep> {
         let here = self.map.point(random);
         let there = self.map.next(&here)?;

@@ -17,8 +17,8 @@ pub(crate) struct MonomialSupport {
 }
 
 impl MonomialSupport {
-    /// Returns all monomials whose degrees in each unknown and in total have the given bounds.
-    /// Returns `None` if there are too many monomials.
+    /// Returns all monomials with these bounds on the degree in each unknown and in total. Returns
+    /// `None` if there are too many monomials.
     pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
         let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
         for &bound in bounds {

@@ -27,7 +27,7 @@ impl Monomials {
             for variable in (0..variables).rev() {
                 let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
                 for earlier in begin..end {
-                    // The first variable of a monomial makes it only once.
+                    // Each monomial is made once, from its first variable.
                     if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
                         let mut exponents = monomials.exponents[earlier].clone();
                         exponents[variable] += 1;

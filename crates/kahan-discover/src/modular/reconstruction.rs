@@ -144,7 +144,8 @@ impl Reconstruction<'_> {
             .collect()
     }
 
-    /// Returns the coefficients of each function, numerator first, with 1 as the last nonzero one.
+    /// Returns the coefficients of each function, numerator first. The last nonzero coefficient is
+    /// 1.
     fn coefficients(&mut self, modulus: Modulus, shapes: &[MonomialSupport]) -> Option<Vec<Vec<u64>>> {
         let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
         let mut samples = Vec::with_capacity(wanted);

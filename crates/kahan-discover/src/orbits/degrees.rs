@@ -25,7 +25,7 @@ pub struct DegreeLimits<'a> {
     pub deadline: &'a Deadline<'a>,
 }
 
-/// The least number of degrees without which the limit on degrees may be four times as large.
+/// With fewer degrees than this, the limit on degrees may be four times as large.
 const FEWEST: usize = 6;
 
 /// Returns the degrees d₀ = 1, d₁, … of iterates on a random line. The list is empty if the map is
@@ -33,7 +33,6 @@ const FEWEST: usize = 6;
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
-    // The number of points suffices for one iterate beyond the limit on degrees.
     let most_points = 16 * limits.degree + 16;
     while degrees.len() <= limits.iterates {
         let known = degrees.len();

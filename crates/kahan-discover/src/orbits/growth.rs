@@ -29,7 +29,7 @@ pub struct GrowthVerdict {
     pub growth: Growth,
     /// The observation in words.
     pub evidence: String,
-    /// The proof of exponential growth. `None` if growth was only observed.
+    /// The proof of exponential growth, or `None` if growth was only observed.
     pub proof: Option<GrowthProof>,
 }
 

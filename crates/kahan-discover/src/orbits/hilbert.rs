@@ -46,8 +46,8 @@ pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
 
 const MOST_SAMPLES: usize = 8;
 
-/// Returns the default degree of relations in n variables, from 2 to 10 as 220 monomials allow. In
-/// more than 40 variables the degree is 1.
+/// Returns the default degree of relations in n variables. The degree falls from 10 to 2 as n
+/// grows, and is 1 for more than 40 variables.
 #[must_use]
 pub fn default_degree(variables: usize) -> u32 {
     let most = |degree: u32| if degree == 2 { MOST_QUADRATIC_MONOMIALS } else { MOST_MONOMIALS };
@@ -107,10 +107,9 @@ impl Hilbert {
         found
     }
 
-    /// Follows one orbit up to a higher degree. The rank on an orbit is at most the generic rank,
-    /// so an orbit without new integrals excludes them. Otherwise all four orbits are followed.
-    ///
-    /// Returns `None` as [`of`](Self::of) does.
+    /// Follows one orbit up to a higher degree, and all four orbits if this orbit shows more
+    /// integrals. The rank on an orbit is at most the generic rank, so an orbit without new
+    /// integrals excludes them. Returns `None` as [`of`](Self::of) does.
     pub fn further(
         &self,
         searched: &SearchField,

@@ -262,7 +262,6 @@ mod tests {
         let modulus = Modulus::of(PrimeField::new(1_000_003).unwrap());
         let count = |values: &[i64]| {
             let n = values.len();
-            // Equal eigenvalues of the triangular matrix form Jordan blocks.
             let entry = |i: usize, j: usize| match j.cmp(&i) {
                 std::cmp::Ordering::Less => 0,
                 std::cmp::Ordering::Equal if values[i] < 0 => {

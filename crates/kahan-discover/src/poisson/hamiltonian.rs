@@ -22,7 +22,6 @@ use crate::modular::subspace::combination;
 use crate::orbits::relations::monomial_gradients;
 
 const MOST_TERMS: usize = 1500;
-/// The most products of terms in the computation of the modified Hamiltonian.
 const MODIFIED_WORK: u64 = 10_000_000;
 
 const MOST_STRUCTURES: usize = 4;
@@ -30,7 +29,7 @@ const MOST_STRUCTURES: usize = 4;
 /// The number of equations for each component beyond the number of unknowns.
 const SPARE: usize = 6;
 
-/// A decomposition f = K∇H with K constant and antisymmetric.
+/// A decomposition f = K∇H with a constant antisymmetric matrix K.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hamiltonian {
     /// The matrix K, row by row, free of states.

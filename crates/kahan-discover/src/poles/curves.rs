@@ -15,8 +15,7 @@ const MOST_WORK: u64 = 20_000_000;
 pub(crate) struct Curves {
     pub(crate) components: Vec<Polynomial>,
     pub(crate) factors: Vec<Polynomial>,
-    /// Whether the factors of the Jacobian determinant are included. Very long determinants are
-    /// not.
+    /// Whether the factors of the Jacobian determinant are included. A very long one is left out.
     pub(crate) has_jacobian: bool,
 }
 

@@ -141,7 +141,6 @@ impl Homogeneous {
         Ok(images)
     }
 
-    /// Moves the point, with its tangent vectors, by δ in a random direction.
     fn moved(&self, place: &Place, length: usize, random: &mut SplitMix64) -> Vec<Series> {
         let series = |(i, value): (usize, &u64)| {
             let slopes: Vec<u64> = place.tangents.iter().map(|tangent| tangent[i]).collect();

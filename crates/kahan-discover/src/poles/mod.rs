@@ -33,13 +33,13 @@ use jet::{Homogeneous, NoImage, Place, Values};
 /// The singularity pattern of one curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pattern {
-    /// The polynomial that vanishes on the curve. `None` for the points at infinity.
+    /// The polynomial that vanishes on the curve, or `None` for the points at infinity.
     pub curve: Option<Polynomial>,
     /// The images of the curve after 1, 2, … steps, or none if two primes disagree.
     pub images: Vec<Image>,
     /// The number of steps until the image is a curve again, or else the number of steps followed.
     pub steps: usize,
-    /// Whether an image of the curve is a curve again. `None` if two primes disagree or do not
+    /// Whether an image of the curve is a curve again, or `None` if two primes disagree or do not
     /// decide.
     pub confined: Option<bool>,
 }
@@ -58,7 +58,7 @@ pub struct Poles {
     pub is_complete: bool,
     /// The measured degrees d₀, d₁, … of the iterates.
     pub degrees: Vec<usize>,
-    /// The degrees that the patterns imply. `None` if a pattern is undecided or missing.
+    /// The degrees that the patterns imply, or `None` if a pattern is undecided or missing.
     pub implied_degrees: Option<Vec<usize>>,
 }
 
@@ -76,9 +76,7 @@ impl Pattern {
     }
 }
 
-/// The length of the power series that is tried first.
 const SHORTEST: usize = 12;
-/// The greatest length of the power series.
 const LONGEST: usize = 200;
 
 /// The most samples of parameters, ε and a point of the curve. Some lines do not meet the curve.

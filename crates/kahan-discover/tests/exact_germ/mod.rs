@@ -62,7 +62,6 @@ impl ExactGerm {
         Some(ExactGerm { map, degree, states, delta, slopes, coordinates })
     }
 
-    /// Truncates a polynomial to first order in the curve's parameters.
     fn cut(&self, polynomial: &Polynomial) -> Polynomial {
         let is_kept =
             |monomial: &Monomial| monomial.degree_where(|variable| self.slopes.contains(&variable)) < 2;

@@ -33,6 +33,7 @@ impl BranchPoint {
     }
 }
 
+/// The reason why a branch has a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BranchPointKind {
@@ -189,8 +190,8 @@ fn passed([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     if from < to { passed.collect() } else { passed.rev().collect() }
 }
 
-/// Returns the scale of lengths on a branch: the size of the first cycle, or the speed of the
-/// points if that size is 0.
+/// Returns the scale of lengths on a branch: the size of the first cycle. If that is 0, returns how
+/// far the points move with the parameter.
 fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64 {
     if cycle.size > 0.0 {
         return cycle.size;

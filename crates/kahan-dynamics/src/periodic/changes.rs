@@ -168,7 +168,6 @@ impl<C: Curve> BranchSegment<'_, C> {
         let parameter = |place: &BranchPosition| place[place.len() - 1];
         let [mut low, mut high] = ends.map(|(at, place)| (at, parameter(place)));
         let mut near = ends[0].1.clone();
-        // Three secant steps suffice, since Newton's method ends the search.
         for _ in 0..3 {
             let at = low.0 + (high.0 - low.0) * (value - low.1) / (high.1 - low.1);
             near = self.at(at)?;

@@ -18,9 +18,8 @@ pub struct PeriodicPoint {
     pub residual: f64,
     /// The eigenvalues of ∂φᵖ/∂x by decreasing modulus, for the map φ and the smallest period p.
     pub multipliers: Vec<Complex<f64>>,
-    /// The dimension of the family of cycles with this period around this cycle, or 0 for an
-    /// isolated cycle: the dimension of the null space of ∂φᵖ/∂x − 1 for the map φ and the period
-    /// p.
+    /// The dimension of the family of cycles around this cycle, or 0 for an isolated cycle. The
+    /// dimension is that of the null space of ∂φᵖ/∂x − 1 for the map φ and the period p.
     pub family: usize,
     /// The scale for comparing lengths: the largest coordinate of the points or of the start.
     pub(super) size: f64,
@@ -132,7 +131,7 @@ impl PeriodicPoint {
     /// printed digits say otherwise.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
-        /// The distance from 1 that printed digits show.
+        /// The least distance from 1 that shows in the printed digits.
         const SHOWN: f64 = 1e-5;
 
         let off = |(one, margin): (&Complex<f64>, &f64)| {
@@ -152,8 +151,8 @@ impl PeriodicPoint {
         self.margins[index]
     }
 
-    /// Returns the scale for comparing lengths: the largest coordinate of the points. A larger
-    /// starting point gives its own largest coordinate, up to a factor.
+    /// Returns the scale for comparing lengths: about the largest coordinate of the points and the
+    /// start.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size

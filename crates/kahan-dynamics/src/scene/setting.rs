@@ -48,6 +48,7 @@ impl Scene {
 }
 
 impl Setting {
+    /// Returns the scalar, the composition and the compensation.
     #[must_use]
     pub const fn scheme(&self) -> Scheme {
         self.scheme

@@ -8,7 +8,6 @@ pub(super) const ENDS: &str = "By the drifts, each step adds a constant to one f
     a factor that is no root of unity. So the closure of a generic orbit has at least dimension 2, and rational \
     integrals are constant on it: nothing can be missing, and the search ended.";
 
-/// A function with a constant increment along orbits.
 struct ConstantIncrement {
     function: String,
     step: String,
@@ -38,7 +37,7 @@ impl ConstantIncrement {
     }
 }
 
-/// Writes the sentence on drifts that add a constant, or multiply by a constant, in every step.
+/// Writes the sentence on drifts with a constant increment or a constant factor in each step.
 pub(super) fn drifts(report: &Report) -> Option<String> {
     let even: Vec<ConstantIncrement> = report.drifts.iter().filter_map(ConstantIncrement::of).collect();
     let (ConstantIncrement { function, step, is_atom }, others) = even.split_first()?;

@@ -61,8 +61,8 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // Each entry: a factor, the number of terms in the coefficients that contain the factor,
-        // and the indices of these coefficients.
+        // Lists each factor, the number of terms in the coefficients with this factor, and the
+        // indices of these coefficients.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {
@@ -108,7 +108,6 @@ impl Writer<'_> {
             if let ([], [(Sum::Plain(sum), 1)]) = (product.front.powers(), &product.sums[..])
                 && product.content.abs().is_one()
             {
-                // A group that is a plain sum gets no parentheses.
                 let sum = if product.content.is_negative() { -sum } else { sum.clone() };
                 let own = self.sum(&sum, depth - 1, budget);
                 match own.strip_prefix('-') {

@@ -23,7 +23,7 @@ use powers::{Scale, by_powers};
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
-/// Factors with fewer terms are not written in powers.
+/// The least number of terms of a factor that is written in powers.
 const FEW_TERMS: usize = 12;
 
 /// The least number of terms for which conjugate factors are multiplied.
@@ -222,7 +222,7 @@ pub(crate) fn begins_negative(polynomial: &Polynomial) -> bool {
     first.is_some_and(|(_, coefficient)| coefficient.is_negative())
 }
 
-/// Tells whether no sum in the text lies outside parentheses.
+/// Tells whether every sum in the text is in parentheses.
 pub(crate) fn is_product(text: &str) -> bool {
     let mut depth = 0;
     text.chars().all(|c| {

@@ -15,7 +15,7 @@ pub(super) struct Scale {
 }
 
 pub(crate) struct InPowers {
-    /// The product scale · P, in which the variable `fresh` stands for the base.
+    /// The scaled polynomial, in which the variable `fresh` stands for the base.
     pub(crate) sum: Polynomial,
     pub(crate) fresh: Variable,
     pub(crate) scale: Polynomial,

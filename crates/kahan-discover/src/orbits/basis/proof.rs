@@ -3,7 +3,7 @@
 //! Let the basis have r + 1 terms. Their determinant at r + 1 consecutive points must vanish
 //! identically, while r rows are independent. The map is birational, so later points are as generic
 //! as the first ones, and the relation holds on the whole orbit. The determinant is a rational
-//! function of bounded degree and size. It is evaluated at random points modulo random primes.
+//! function of bounded degree and size, and is evaluated at random points modulo random primes.
 //! Points on both sides of the start keep the degrees low.
 
 use kahan_algebra::field::Field;
@@ -107,8 +107,8 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     Some(total)
 }
 
-/// Bounds numerators and denominator of the image of a point x = X/W. Row i of A x̃ = b, times qᵢW
-/// for the denominator qᵢ of component i, has degree 1 in X and W. Cramer's rule multiplies n rows.
+/// Bounds numerators and denominator of the image of a point x = X/W, by Cramer's rule for A x̃ =
+/// b.
 fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;

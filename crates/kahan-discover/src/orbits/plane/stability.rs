@@ -13,24 +13,25 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// The least prime to try. The proof fails by chance with a probability of about 3/p modulo p.
+/// The least prime to try. The proof modulo a prime p fails by chance with a probability of about
+/// 3/p.
 const LEAST: u64 = 211;
 /// The number of integers from which the search for a prime may start.
 const SPREAD: u64 = 1000;
 
-/// The most samples. One sample in six contains all of three conjugate lines.
+/// The most samples. If the contracted lines are conjugate, one sample in six contains all three.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
 
 /// Finds a prime modulo which the map is algebraically stable of degree 2.
 ///
-/// Let Φ be the forms of the map, and Ψ the forms of the inverse (the map at −ε). Then Ψ∘Φ = κ·(X,
-/// Y, Z) with a cubic form κ. The map contracts exactly the curves of κ. If κ is a product of
-/// linear forms, these curves are lines ℓᵢ with images qᵢ. Modulo the prime the orbit of qᵢ is
-/// finite. Outside of the lines it cannot be periodic, since φ is injective there and never takes
-/// the value qᵢ. So the orbit reaches a point of indeterminacy, or a line ℓⱼ and then qⱼ. Finitely
-/// many steps from each qᵢ therefore decide stability.
+/// Let Φ be the forms of the map, and Ψ the forms of the inverse (the map at −ε). Then Ψ∘Φ is κ
+/// times the identity, with a cubic form κ. The map contracts exactly the curves of κ. If κ is a
+/// product of linear forms, these curves are lines ℓᵢ with images qᵢ. Modulo the prime the orbit of
+/// qᵢ is finite. Outside of the lines the orbit cannot be periodic, since φ is injective there and
+/// never takes the value qᵢ. So the orbit reaches a point of indeterminacy, or a line ℓⱼ and then
+/// qⱼ. Finitely many steps from each qᵢ therefore decide stability.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,

@@ -5,7 +5,6 @@ use super::*;
 use crate::modular::modulus::Modulus;
 
 const LOTKA_VOLTERRA: &str = "xdot = x*(1 - y); ydot = y*(x - 1);";
-/// Zander's field with exponents (1, 1, 3).
 const ZANDER_113: &str = "xdot = x*(x + y) + 3*x*y; ydot = -(y*(x + y) + 3*x*y);";
 
 fn field(text: &str) -> std::sync::Arc<Field> {

@@ -37,7 +37,7 @@ pub(super) fn invariant_tensor(
         for k in j + 1..n {
             let others = ((1u64 << n) - 1) & !(1 << j | 1 << k);
             let minor = minors.remove(&others).unwrap_or_default();
-            // The variables x_j and x_k pass j + k − 1 variables in all.
+            // The sign counts the j variables before x_j and the other k − 1 variables before x_k.
             let minor = if (j + k - 1) % 2 == 1 { -&minor } else { minor };
             entries.push(RationalFunction::from(minor).mul_within(&factor, budget).ok()?);
         }

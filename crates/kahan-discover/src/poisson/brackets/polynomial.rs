@@ -341,7 +341,7 @@ impl TensorMonomials {
             let mut sums = first.tensors.clone();
             let mut rank = first.rank;
             found.push(candidate(rank, &chosen, &sums));
-            // Linear combinations of brackets are brackets if all sums of two brackets are.
+            // Linear combinations of brackets are brackets if all sums of two of them are brackets.
             for other in &elements[index + 1..] {
                 let next: [Tensor; POINTS] =
                     std::array::from_fn(|k| sums[k].plus(modulus, &other.tensors[k]));

@@ -13,8 +13,7 @@ const LAWFUL: f64 = 0.3;
 const USEFUL: f64 = 0.01;
 /// The number of successive trials without gain after which rounding errors are checked.
 const STALLS: u32 = 2;
-/// The fraction of the predicted logarithm below which a trial counts as without gain, once errors
-/// have followed the law error ∝ ε^order.
+/// A trial counts as without gain if its logarithmic gain is below this fraction of the prediction.
 const LITTLE: f64 = 0.3;
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
@@ -64,6 +63,7 @@ impl RefinementResult {
         self.gained_little
     }
 
+    /// Returns whether the trials stopped because of rounding errors.
     #[must_use]
     pub const fn has_stalled(&self) -> bool {
         self.has_stalled

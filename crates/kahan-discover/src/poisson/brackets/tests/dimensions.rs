@@ -120,6 +120,6 @@ fn coordinates_as_integrals_leave_one_entry_in_any_dimension() {
     let constructed = bracket(&large, &RationalFunction::one(), &integrals).expect("a bracket");
     let nonzero: Vec<usize> = (0..constructed.len()).filter(|&e| !constructed[e].is_zero()).collect();
     assert_eq!(nonzero, [upper_index(40, 3, 17)]);
-    // In the sign, x3 passes 3 variables, and x17 passes the remaining 16 variables before it.
+    // The sign counts the 3 variables before x3 and the 16 other variables before x17.
     assert_eq!(entry(40, &constructed, 3, 17), RationalFunction::constant(Rational::from(-1)));
 }
