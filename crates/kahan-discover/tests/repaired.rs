@@ -3,9 +3,9 @@
 //!
 //! At ε = 0 the fields are those of H = x y z² and H = x y² z³ with z = 1 + x + y, divided by z and
 //! by y z². They are inhomogeneous reduced Nahm systems of octahedral and icosahedral symmetry. The
-//! repaired maps contract three lines to points, which reach points of indeterminacy after (4, 4,
-//! 2) and (6, 3, 2) steps. Source of the method: Schmalian, Suris and Tumarkin, "How one can repair
-//! non-integrable Kahan discretizations. II" (2021).
+//! repaired maps contract three lines to points. These points reach points of indeterminacy after
+//! (4, 4, 2) and (6, 3, 2) steps. Source of the method: Schmalian, Suris and Tumarkin, "How one can
+//! repair non-integrable Kahan discretizations. II" (2021).
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Options, Report, Unwatched, discover};

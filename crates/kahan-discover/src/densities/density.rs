@@ -39,8 +39,8 @@ pub(crate) fn pfaffian_density(
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
-/// Finds the density of least degree, or else the density 1/det(I − ε f′) of the field f if det(I −
-/// t f′) is even in t.
+/// Finds the density of least degree. The density 1/det(I − ε f′) of the field f replaces a missing
+/// one if det(I − t f′) is even in t.
 pub(crate) fn densities(
     searched: &SearchField,
     claims: &Claims<'_>,

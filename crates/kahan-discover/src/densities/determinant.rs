@@ -15,8 +15,8 @@ pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, Ove
     of_matrix(&scaled_matrix(field), budget)
 }
 
-/// Returns ∏q · gᵀ adj(A) f with the covector g and A = I − ε f′, where qᵢ is the denominator of
-/// component i of the field f. Division by [`determinant`] gives gᵀ A⁻¹ f.
+/// Returns ∏q · gᵀ adj(A) f for the covector g, where A = I − ε f′. Component i of the field f has
+/// the denominator qᵢ. Division by [`determinant`] gives gᵀ A⁻¹ f.
 ///
 /// # Errors
 /// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.

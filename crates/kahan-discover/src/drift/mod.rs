@@ -149,10 +149,9 @@ pub(crate) fn drifts(
 
 /// Returns an upper bound on the number of independent integrals in n dimensions with these drifts.
 ///
-/// Suppose that F ↦ F + c with c ≠ 0 for a drift F, and G ↦ c′·G with c′ no root of unity for a
-/// drift G. A generic orbit in the (F, G)-plane has the closure of all powers of (+c, ·c′), which
-/// is 𝔾ₐ × 𝔾ₘ. So generic orbits have closures of dimension at least 2. With only one of F and G
-/// the dimension is at least 1.
+/// Suppose that a drift F becomes F + c with c ≠ 0, and a drift G becomes c′·G, where c′ is no root
+/// of unity. The powers of (+c, ·c′) are dense in 𝔾ₐ × 𝔾ₘ. So generic orbits have closures of
+/// dimension at least 2. With only one of F and G the dimension is at least 1.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     let kinds = || drifts.iter().map(|drift| &drift.kind).filter(|kind| kind.has_infinite_order());
     let has_sum = kinds().any(|kind| matches!(kind, DriftKind::Sum(_)));

@@ -18,8 +18,8 @@ type Pairs = Vec<Vec<u64>>;
 
 pub(super) struct Points {
     modulus: Modulus,
-    /// Each entry has the monomials at a point x, the monomials at x̃ times a power of the map's
-    /// denominator, and the factors of cofactors at x.
+    /// The values at each point: monomials, monomials of the image without denominators, and
+    /// factors of cofactors.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 

@@ -1,11 +1,11 @@
 //! Finds special elements P + cQ for an integral P/Q: elements that factor, have lower degree, or
 //! are free of ε.
 //!
-//! Let F(s, t) be a polynomial of degree d. The equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions G, H
-//! of degree d − 1 other than multiples of ∇F if and only if F factors over ℂ or has a square
-//! factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003). For F = P + cQ on
-//! a random plane the equation is linear in c, so the wanted c are roots of a polynomial modulo a
-//! prime. The caller must prove the results.
+//! Let F(s, t) be a polynomial of degree d. Consider polynomials G, H of degree d − 1 with
+//! ∂(G/F)/∂t = ∂(H/F)/∂s, other than multiples of ∇F. Solutions exist if and only if F factors over
+//! ℂ or has a square factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003).
+//! For F = P + cQ on a random plane the equation is linear in c. The wanted c are therefore roots
+//! of a polynomial modulo a prime. The caller must prove the results.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;

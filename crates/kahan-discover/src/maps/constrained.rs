@@ -1,8 +1,8 @@
 //! Restricts orbits to a level set of a known integral.
 //!
 //! Suppose that relations mix several integrals, and that one integral F = P/Q is known. Orbits
-//! that start on P − cQ = 0, with the value c of F as an unknown, have relations that mix one
-//! integral less.
+//! that start on P − cQ = 0 have relations that mix one integral less. The value c of F is an
+//! unknown.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{Random, SplitMix64};

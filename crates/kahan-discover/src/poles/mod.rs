@@ -92,8 +92,8 @@ const FOR_DEGREES: f64 = 0.4;
 /// time runs out.
 ///
 /// # Errors
-/// Returns an error if the field has no invertible map, or if the closed form of the map is beyond
-/// the budget of terms.
+/// Returns an error if the field has no invertible map, or if the map is beyond the budget of
+/// terms.
 pub fn poles(
     system: &System,
     options: &Options,

@@ -130,8 +130,8 @@ impl Scene {
     /// Steps in `Dd` take longer.
     ///
     /// # Errors
-    /// Returns [`NoSetting`] for numbers that are not positive or not finite, for a trajectory that
-    /// cannot be followed to the horizon, or for a tolerance that no setting reaches.
+    /// Returns [`NoSetting`] for invalid numbers, for a trajectory that cannot be followed to the
+    /// horizon, or for a tolerance that no setting reaches.
     pub fn choose<M, const N: usize>(&self, map: &M, x0: &SVector<f64, N>) -> Result<Setting, NoSetting>
     where
         M: ExtendScalars<f64, N>,

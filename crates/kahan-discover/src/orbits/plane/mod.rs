@@ -1,9 +1,8 @@
 //! Maps of the plane: proofs of exponential growth of degrees, and conclusions from linear growth.
 //!
-//! Let φ be Kahan's map in two variables. A(x)x̃ is affine in x for A = I − ε f′, so φ is given by
-//! three quadratic forms Φ on ℙ², and dₖ = deg φᵏ ≤ 2ᵏ. The function `growth` proves exponential
-//! growth by one large degree or by the module `stability`. The function `linear` excludes
-//! integrals by linear growth.
+//! Let φ be Kahan's map in two variables. Three quadratic forms Φ on ℙ² define φ, so the iterates
+//! have degrees dₖ = deg φᵏ ≤ 2ᵏ. The function `growth` proves exponential growth by one large
+//! degree or by the module `stability`. The function `linear` excludes integrals by linear growth.
 
 mod stability;
 
@@ -99,13 +98,14 @@ const LINEAR_ITERATES: usize = 200;
 /// Returns the number of iterates with linear growth of degrees, if linear growth excludes
 /// integrals.
 ///
-/// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre), with a
-/// Möbius map μ of the parameter t of the pencil. Integrals and drifts are functions of t. If a
-/// drift has infinite order as a Möbius map, so has μ, and every integral is constant. F + c with c
-/// ≠ 0 and c·F with c ≠ ±1 have infinite order. A Möbius map with matrix M of finite order n > 1
-/// satisfies (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε. For a field that is defined at ε = 0, the
-/// map is the identity there, with the value 4, so other Möbius maps have infinite order at generic
-/// ε. Linear growth itself is observed, not proved.
+/// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre). The
+/// parameter t of the pencil changes by a Möbius map μ. Integrals and drifts are functions of t. If
+/// a drift has infinite order as a Möbius map, so has μ, and every integral is constant.
+///
+/// The maps F + c with c ≠ 0 and c·F with c ≠ ±1 have infinite order. A Möbius map with matrix M of
+/// finite order n > 1 satisfies (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε. The identity has the
+/// value 4, and is the map at ε = 0 if the field is defined there. At generic ε, all other Möbius
+/// maps then have infinite order. Linear growth itself is observed, not proved.
 pub(crate) fn linear(
     searched: &SearchField,
     map: &ModularMap,

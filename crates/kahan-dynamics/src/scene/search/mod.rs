@@ -48,8 +48,8 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to stop the trials of a scheme before the trial with `next` steps, because
-    /// the last trial with about `end` steps would take more than `share` of the remaining time.
+    /// Returns whether to stop the trials of a scheme before the trial with `next` steps. The last
+    /// trial with about `end` steps would take more than `share` of the remaining time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
