@@ -38,12 +38,11 @@ const ITERATES: [usize; 4] = [8, 16, 32, 64];
 /// Classifies the growth of the degrees of a sampled map, and proves exponential growth in the
 /// plane.
 ///
-/// **A bound on degrees.** Suppose that φ maps a pencil of curves to itself. Let w be the class of
-/// these curves in the Picard–Manin space, and ℓ that of a line. Then φ∗w = w, w² = 0 and w·ℓ > 0.
-/// The classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ − uⱼ lies in w^⊥, on which
-/// the form is negative semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎ − 1). The triangle
-/// inequality gives
-///
+/// **A bound on degrees.** Let dₖ = deg φᵏ for the map φ. Suppose that φ permutes the curves of a
+/// pencil. Let w be the class of these curves in the Picard–Manin space, and ℓ that of a line. Then
+/// φ∗w = w, w² = 0 and w·ℓ > 0. The classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ
+/// − uⱼ lies in w^⊥, on which the form is negative semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎
+/// − 1). The triangle inequality gives
 /// dₖ − 1 ≤ k²(d₁ − 1) ≤ k².
 ///
 /// If degrees do not grow exponentially, a class w with w² ≥ 0, w·ℓ > 0 and φ∗w = w exists
@@ -51,11 +50,12 @@ const ITERATES: [usize; 4] = [8, 16, 32, 64];
 /// 2001; Cantat 2011), and the inequality holds as well. So a single degree dₖ > k² + 1 proves that
 /// growth is exponential and that no rational integral exists.
 ///
-/// **Degrees modulo a prime are lower bounds.** Let R be ℤ[parameters, ε] localised at the prime
-/// ideal of the prime and the sampled values. By Gauss's lemma Φᵏ = HΨ with forms H and Ψ over R,
-/// where Ψ has degree dₖ. Suppose that a point has an image under φᵏ modulo the prime. Then Ψ
-/// modulo the prime gives this image. On a line these images are rational functions of degree at
-/// most dₖ, for which Thiele's continued fraction finds at most this degree.
+/// **Degrees modulo a prime are lower bounds.** Let R be the factorial ring ℤ[parameters, ε]
+/// localised at the prime ideal of the prime and the sampled values. By Gauss's lemma the forms Φ
+/// of the map satisfy Φᵏ = HΨ with forms H and Ψ over R, where Ψ has degree dₖ. Suppose that a
+/// point has an image under φᵏ modulo the prime. Then Ψ modulo the prime gives this image. On a
+/// line these images are rational functions of degree at most dₖ, for which Thiele's continued
+/// fraction finds at most this degree.
 pub(crate) fn growth(
     searched: &SearchField,
     map: &ModularMap,
