@@ -40,9 +40,10 @@ const ITERATES: [usize; 4] = [8, 16, 32, 64];
 ///
 /// **A bound on degrees.** Let dₖ = deg φᵏ for the map φ. Suppose that φ permutes the curves of a
 /// pencil. Let w be the class of these curves in the Picard–Manin space, and ℓ that of a line. Then
-/// φ∗w = w, w² = 0 and w·ℓ > 0. The classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ
-/// − uⱼ lies in w^⊥, on which the form is negative semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎
-/// − 1). The triangle inequality gives
+/// φ∗w = w, w² = 0 and w·ℓ > 0. The classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So
+/// uᵢ − uⱼ lies in w^⊥, on which the form is negative semidefinite (Hodge). The negative square
+/// −(uᵢ − uⱼ)² is 2(d₍ᵢ₋ⱼ₎ − 1). The triangle inequality gives
+///
 /// dₖ − 1 ≤ k²(d₁ − 1) ≤ k².
 ///
 /// If degrees do not grow exponentially, a class w with w² ≥ 0, w·ℓ > 0 and φ∗w = w exists
