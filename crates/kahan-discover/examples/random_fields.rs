@@ -89,14 +89,14 @@ enum Proved {
     ModuloPrimes,
 }
 
-/// Proves a claim by expansion or, beyond its budget, modulo primes; `None` for a false claim.
+/// Proves a claim by expansion or, beyond the budget, modulo primes. Returns `None` for a false
+/// claim.
 fn proved_again(before: &str, claim: &str) -> Option<Proved> {
     let block = format!("{before} {claim}");
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // The text of the block seeds the primes and points of this proof, so they differ from
-        // those of `discover`.
+        // The text seeds the primes and points, which therefore differ from those of `discover`.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
 }
@@ -112,7 +112,6 @@ struct Term {
 }
 
 impl Term {
-    /// Draws a term whose `factors` factors are 1 or a state, perhaps with a parameter.
     fn draw(n: u64, factors: usize, has_parameters: bool, random: &mut SplitMix64) -> Self {
         let sizes = [-3, -2, -1, -1, 1, 1, 2, 3];
         let parameter = has_parameters && random.below(3) == 0;

@@ -1,4 +1,4 @@
-//! Time limits of long computations, and the reports that a computation makes to a [`Watch`].
+//! Time limits of long computations, and reports to a [`Watch`].
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
@@ -11,11 +11,11 @@ use crate::watch::{Finding, Progress, Watch};
 /// The least time between two calls of [`Watch::look`] within a stage.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
-/// A computation that a [`Watch`] observes. Each finding is reported once. After the watch has
-/// ended the computation, the watch is not called again.
+/// A computation that a [`Watch`] observes. Each finding is reported once. A watch that has ended
+/// the computation is not called again.
 pub struct Work<'a> {
     watch: &'a dyn Watch,
-    /// The current stage, the number of finished items, and the number of all items.
+    /// The current stage.
     stage: RefCell<String>,
     count: Cell<(u64, Option<u64>)>,
     looked: Cell<Option<Duration>>,
@@ -37,8 +37,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Reports progress to the watch. [`Watch::look`] is called when a stage begins. While items
-    /// are counted, it is called a few times a second, or for each item if the watch has no clock.
+    /// Reports progress to the watch. [`Watch::look`] is called when a stage begins, and a few
+    /// times a second while items are counted. A watch without a clock is called for each item.
     pub fn show(&self, progress: &Progress<'_>) {
         self.count.set((progress.done, progress.of));
         let begins = *self.stage.borrow() != progress.what;
@@ -51,8 +51,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Reports a proved claim, unless the claim was reported before. Then calls [`Watch::look`], so
-    /// that the watch may end the computation.
+    /// Reports a proved claim once. [`Watch::look`] is then called, which may end the computation.
     pub fn found(&self, claim: &Claim, text: &str) {
         if !self.is_ended.get() && self.told.borrow_mut().insert(text.to_owned()) {
             self.watch.found(&Finding::claimed(claim, text));
@@ -60,7 +59,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Returns the time. `None` if the watch has no clock, or after the end of the computation.
+    /// Returns the time, or `None` after the end of the computation or without a clock.
     fn now(&self) -> Option<Duration> {
         if self.is_ended.get() { None } else { self.watch.now() }
     }
@@ -81,9 +80,10 @@ impl<'a> Work<'a> {
     }
 }
 
-/// A time limit that remembers whether it stopped a computation. A report may state that a
-/// structure is absent only if the search was not stopped. If the watch ends the computation, the
-/// deadline passes at once. Without a clock the deadline does not pass by itself.
+/// A time limit that remembers whether it stopped a computation.
+///
+/// Only an unstopped search may state that a structure is absent. The deadline passes at once if
+/// the watch ends the computation. Without a clock, time alone never passes the deadline.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a Work<'a>>,
@@ -110,7 +110,7 @@ impl<'a> Deadline<'a> {
         Deadline { work: None, end: None, has_stopped: Cell::new(false) }
     }
 
-    /// Returns whether the deadline has passed. If so, the caller must stop.
+    /// Returns whether the deadline has passed. The caller must then stop.
     #[must_use]
     pub fn passed(&self) -> bool {
         let Some(work) = self.work else { return false };
@@ -129,8 +129,7 @@ impl<'a> Deadline<'a> {
         self.has_stopped.get()
     }
 
-    /// Returns the remaining seconds: infinity without a limit, and 0 after the end of the
-    /// computation.
+    /// Returns the remaining seconds: infinity without a limit, 0 after the end of the computation.
     #[must_use]
     pub fn left(&self) -> f64 {
         match (self.work, self.end) {

@@ -1,16 +1,14 @@
 //! Discovers the structures that Kahan's map of a quadratic field preserves.
 //!
-//! The input is a checked system. The output is a [`Report`] on growth of degrees, the number of
-//! independent algebraic integrals, formulas of integrals, densities, Poisson brackets and drifts,
-//! Hamiltonian structure, and integrals under composition. Everything is found modulo primes by
-//! linear algebra and interpolation along orbits; formulas are returned after proof. An integral
-//! with a long formula is given by a Hirota–Kimura [`Basis`]. The crate must not know how a report
-//! is printed.
+//! The input is a checked system. The output is a [`Report`] on growth of degrees, integrals,
+//! densities, Poisson brackets, drifts and Hamiltonian structure. The search computes modulo primes
+//! and interpolates along orbits. Each printed formula is proved. A Hirota–Kimura [`Basis`]
+//! represents integrals with long formulas. The crate must not know how a report is printed.
 //!
 //! Modules in reading order: [`watch`], [`deadline`], [`modular`] (arithmetic), [`maps`],
 //! [`orbits`], [`integrals`], [`densities`], [`poisson`], [`drift`], [`claims`] (proof and text),
 //! `stages` (the search) and [`report`]. The module [`mod@scan`] searches special parameter values
-//! on a grid, and [`mod@poles`] follows singular curves of the map through poles.
+//! on a grid, and [`mod@poles`] continues singular curves of the map through poles.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};

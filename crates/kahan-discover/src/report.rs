@@ -16,28 +16,26 @@ use crate::orbits::integral_bound::IntegralBound;
 use crate::poisson::brackets::Bracket;
 use crate::poisson::hamiltonian::Hamiltonian;
 
-/// The most characters of a claim that is printed. A longer integral is given by a basis if one
-/// exists. Other longer claims occur only in blocks and JSON.
+/// The most characters of a printed claim. A longer integral is given by a basis if one exists.
 pub const MOST_READABLE: usize = 4000;
 
 /// The fixed values and the limits of a search.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The value of ε, half the time step, if it is fixed. `None` for a generic ε.
+    /// The fixed value of ε, half the time step, or `None` for a generic ε.
     pub eps: Option<Rational>,
-    /// The names and values of fixed parameters. The other parameters are generic.
+    /// The names and values of fixed parameters. All other parameters are generic.
     pub parameters: Vec<(String, Rational)>,
-    /// The highest degree of relations. If `None`, the number of variables determines a default
-    /// degree. Higher degrees follow while integrals may be missing and time is left. Results of
-    /// higher degrees depend on the speed of the machine.
+    /// The highest degree of relations, or `None` for a default degree that depends on the number
+    /// of variables. After the default degree, higher degrees follow while integrals may be missing
+    /// and time is left.
     pub degree: Option<u32>,
     /// The most iterates of the map whose degrees are computed.
     pub iterates: usize,
     /// The degree after which no further iterate is computed. The limit is larger for the first
     /// five iterates.
     pub iterate_degree: usize,
-    /// The time limit in seconds, measured by the watch's clock. The report says whether work was
-    /// left out. Without a clock there is no limit.
+    /// The time limit in seconds on the watch's clock. Without a clock there is no limit.
     pub seconds: f64,
 }
 
@@ -57,22 +55,21 @@ impl Default for Options {
 /// The structure of the field.
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
-    /// Whether the field depends on ε. If so, statements on the flow hold at any fixed ε.
+    /// Whether the field depends on ε. Statements on the flow then hold at any fixed ε.
     pub depends_on_eps: bool,
     /// The divergence div f.
     pub divergence: String,
     /// Whether det(I − t f′(x)) is even in t.
     pub is_even: bool,
-    /// Linear integrals of the flow. The map preserves all of them.
+    /// Linear integrals of the flow, all of which the map preserves.
     pub linear_integrals: Vec<String>,
-    /// Independent quadratic integrals of the flow. The map may not preserve them.
+    /// Independent quadratic integrals of the flow, which the map may change.
     pub quadratic_integrals: Vec<String>,
-    /// The degree, at most 2, up to which the list of the flow's integrals is complete.
+    /// The degree, at most 2, up to which the lists of integrals of the flow are complete.
     pub flow_degree: u32,
     /// The number of flow integrals that the map preserves unchanged.
     pub kept: usize,
-    /// The matrices K with f = K∇H in a reduced basis, ordered by the length of the modified
-    /// Hamiltonian.
+    /// The matrices K with f = K∇H in a reduced basis, by the length of the modified Hamiltonian.
     pub hamiltonians: Vec<HamiltonianReport>,
 }
 
@@ -88,16 +85,15 @@ pub struct DensitySearch {
 /// A decomposition f = K∇H of the field f with a constant antisymmetric matrix K.
 #[derive(Clone, Debug)]
 pub struct HamiltonianReport {
-    /// The number of this K, counted from 1. `None` if there is only one K.
+    /// The number of this K, counted from 1, or `None` if there is only one K.
     pub number: Option<usize>,
     /// The matrix K, row by row.
     pub tensor: Vec<Vec<String>>,
     /// The function H.
     pub hamiltonian: String,
-    /// Whether the modified Hamiltonian was written out and proved as a claim.
+    /// Whether the modified Hamiltonian was written out and proved.
     pub modified_is_proved: bool,
-    /// Whether (I − ε² f′²)K, with the Jacobian f′ of the field, is proved to be an invariant
-    /// Poisson bracket. The bracket may be too long to be written.
+    /// Whether (I − ε² f′²)K is proved to be an invariant Poisson bracket of the field f.
     pub bracket_is_proved: bool,
     /// The form in which the modified Hamiltonian is given.
     pub place: ModifiedPlace,
@@ -112,7 +108,7 @@ impl HamiltonianReport {
         self.found.compact(&self.symbols, notation)
     }
 
-    /// Returns a letter, followed by the number of this K if there are several.
+    /// Returns a letter with the number of this K, or the letter alone if K is the only matrix.
     #[must_use]
     pub fn label(&self, letter: &str) -> String {
         self.number.map_or_else(|| letter.to_owned(), |number| format!("{letter}{number}"))
@@ -124,7 +120,7 @@ impl HamiltonianReport {
 pub enum ModifiedPlace {
     /// The modified Hamiltonian is omitted, because formulas and bases imply it.
     Implied,
-    /// The compact form is given; no formula depends on it.
+    /// The compact form is given, and no formula depends on it.
     Alone,
     /// The compact form is given in place of the much longer formula with this index.
     InsteadOf(usize),
@@ -133,14 +129,13 @@ pub enum ModifiedPlace {
 /// The reason why the search for integrals ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// Orbits show the maximal number of integrals: with one more, every orbit would be finite.
+    /// Orbits show the maximal number of integrals. With one more, every orbit would be finite.
     Orbits,
     /// The number of integrals is the upper bound of the [`IntegralBound`].
     Ceiling,
     /// Exponential growth in the plane was proved, which excludes integrals.
     Growth,
-    /// Linear growth in the plane was observed, with a drift of infinite order; together they
-    /// exclude integrals.
+    /// Linear growth in the plane, with a drift of infinite order, excludes integrals.
     Linear,
     /// The number of integrals is the upper bound that the drifts give.
     Drifts,
@@ -168,8 +163,8 @@ impl Bound {
         }
     }
 
-    /// Returns the reason why only the `known` integrals exist. `None` if more may exist. The
-    /// drifts allow at most `by_drifts` integrals.
+    /// Returns the reason why only the `known` integrals exist. The drifts allow at most
+    /// `by_drifts` integrals.
     pub(crate) fn complete(
         hilbert: &Hilbert,
         n: usize,
@@ -179,8 +174,8 @@ impl Bound {
         linear: Option<usize>,
         by_drifts: usize,
     ) -> Option<Self> {
-        // With n independent integrals every orbit is finite, and the map has a finite order N. At
-        // generic ε a finite order is impossible, as the N-th iterate is x + 2Nε f(x) + O(ε²).
+        // With n independent integrals the map has a finite order N. At generic ε this is
+        // impossible, as iterate N is x + 2Nε f(x) + O(ε²).
         let most = if hilbert.period.is_some() { n } else { n - 1 };
         if known >= most {
             return Some(Bound::Orbits);
@@ -209,15 +204,13 @@ pub struct Report {
     pub degrees: Vec<usize>,
     /// The growth of the degrees of the iterates.
     pub growth: GrowthVerdict,
-    /// The number of iterates with linear growth of degrees in the plane. `None` unless linear
-    /// growth excludes integrals; for this, a drift has infinite order on the pencil of preserved
-    /// curves.
+    /// The number of iterates with linear growth of degrees in the plane, if linear growth excludes
+    /// integrals.
     pub linear_iterates: Option<usize>,
-    /// The Hilbert function of a generic orbit. `None` if every orbit ended at a pole.
+    /// The Hilbert function of a generic orbit, or `None` if every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
-    /// The number of independent algebraic integrals that orbits show or that are proved. The
-    /// number includes formulas, integrals in bases, modified Hamiltonians, and integrals for which
-    /// no formula was found.
+    /// The number of independent algebraic integrals that orbits show or that are proved, with or
+    /// without a formula.
     pub independent: usize,
     /// The upper bound on the number of integrals that follows from fixed points of the map.
     pub ceiling: Option<IntegralBound>,
@@ -227,33 +220,31 @@ pub struct Report {
     pub integrals: Vec<Formula>,
     /// Hirota–Kimura bases for integrals without a formula, the shortest first.
     pub bases: Vec<Basis>,
-    /// Proved invariant densities. The first density has the least degree.
+    /// Proved invariant densities, of which the first has the least degree.
     pub densities: Vec<Formula>,
-    /// Proved invariant Poisson brackets. Brackets with polynomial entries come first, by
-    /// descending rank. Brackets made from the density and integrals follow.
+    /// Proved invariant Poisson brackets: brackets with polynomial entries by descending rank, then
+    /// brackets from the density and integrals.
     pub brackets: Vec<Bracket>,
-    /// The number of brackets with polynomial entries, which come first in the list.
+    /// The number of brackets with polynomial entries.
     pub polynomial_brackets: usize,
     /// Proved drifts, independent of each other and of the integrals.
     pub drifts: Vec<Drift>,
     /// The result of the search for densities 1/P.
     pub density_search: DensitySearch,
-    /// The name of the density that the system's block claims without a `when` clause. A block
-    /// holds only one such density.
+    /// The name of the density that the system's block claims without a `when` clause.
     pub own_density: Option<String>,
     /// The structure of the field.
     pub structure: StructureReport,
-    /// The integrals that the composed map preserves. `None` without integrals.
+    /// The integrals that the composed map preserves, or `None` without integrals.
     pub survivors: Option<CompositionIntegrals>,
     /// Whether the time ran out before the search was complete.
     pub out_of_time: bool,
-    /// All conclusions as sentences. Each sentence states exactly what was shown.
+    /// All conclusions as sentences, which state exactly what was shown.
     pub sentences: Vec<String>,
 }
 
 impl Report {
-    /// Returns the number of independent algebraic integrals that orbits show or that are proved. A
-    /// modified Hamiltonian may have a higher degree than the relations searched.
+    /// Returns the number of independent algebraic integrals that orbits show or that are proved.
     #[must_use]
     pub fn independent_integrals(&self) -> usize {
         self.independent
@@ -275,7 +266,7 @@ impl Report {
         self.compact().filter(|found| found.place == ModifiedPlace::Alone)
     }
 
-    /// Returns the indices of formulas in whose place a compact form is given.
+    /// Returns the indices of formulas that compact forms replace.
     #[must_use]
     pub fn replaced(&self) -> Vec<usize> {
         let replaced = |found: &HamiltonianReport| match found.place {
@@ -293,29 +284,27 @@ impl Report {
     }
 }
 
-/// The reason why the field cannot be studied.
+/// The reason why the search cannot study a field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DiscoverError {
-    /// A value was given for a name that is not a parameter of the field.
+    /// The options fix a name that is not a parameter of the field.
     UnknownParameter(String),
     /// The field divides by zero at the given parameters.
     UndefinedField,
     /// At ε = 0 the map is the identity.
     ZeroStep,
-    /// The matrix I − ε f′ is singular everywhere at the given values, so the map does not exist.
+    /// The matrix I − ε f′ is singular everywhere at the given values, so no map exists.
     NoMap,
     /// The matrix I + ε f′ is singular everywhere at the given values, so the map sends the whole
     /// space to a lower dimension.
     Collapse,
-    /// The field has more variables than a search accepts; the error holds their number.
+    /// The field has this number of variables, which is more than a search accepts.
     TooManyVariables(usize),
-    /// The map in lowest terms exceeds the budget of terms, so the poles of the map cannot be
-    /// listed.
+    /// The map in lowest terms is too long to list its poles.
     TooLong,
 }
 
-/// The most variables of a field. For this number the first elimination takes seconds; its cost is
-/// cubic.
+/// The most variables of a field. For this number the first elimination takes seconds.
 pub(crate) const MOST_VARIABLES: usize = 500;
 
 impl fmt::Display for DiscoverError {

@@ -1,5 +1,5 @@
-//! Finds special values of parameters and ε on a rational grid: values at which degrees or ranks
-//! are not generic.
+//! Finds special values of parameters and ε on a rational grid, where degrees or ranks are not
+//! generic.
 
 mod proposals;
 mod vanishing_polynomials;
@@ -40,12 +40,12 @@ pub struct DegreesAndRanks {
     pub integrals: usize,
 }
 
-/// A point of the grid, with the degrees and ranks observed there.
+/// A point of the grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GridPoint {
     /// The values of the scanned parameters, in the order of the names.
     pub values: Vec<Rational>,
-    /// The degrees and ranks observed. `None` if no map exists, or if its orbits end at poles.
+    /// The degrees and ranks, or `None` if no map exists or its orbits end at poles.
     pub sight: Option<DegreesAndRanks>,
 }
 
@@ -54,10 +54,10 @@ pub struct GridPoint {
 pub struct Scan {
     /// The names of the scanned parameters.
     pub names: Vec<String>,
-    /// The degrees and ranks observed at generic values of all scanned parameters.
+    /// The degrees and ranks at generic values of all scanned parameters.
     pub generic: DegreesAndRanks,
-    /// The points of the grid. The last parameter changes from point to point. There are fewer
-    /// points if time ran out.
+    /// The points of the grid, in the order in which the last parameter changes first. Points are
+    /// missing if time ran out.
     pub points: Vec<GridPoint>,
     /// Relations between scanned parameters at which all points of the grid are special.
     pub relations: Vec<Proposal>,
@@ -72,18 +72,19 @@ impl Scan {
     }
 }
 
-/// The number of iterates at each point. The number is low enough for thousands of points, and
-/// sufficient to find special values.
+/// The number of iterates at each point, which is low enough for thousands of points.
 const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
-/// Observes degrees and ranks on the grid, and proves claims that hold if the parameters or ε
-/// satisfy a relation. `options` fixes further parameters and ε, the degree of relations and the
-/// time. `watch` is told the number of finished points, and each claim as soon as it is proved.
+/// Observes degrees and ranks on the grid, and proves claims that hold under a relation of the
+/// parameters and ε.
+///
+/// `options` fixes further parameters and ε, the degree of relations and the time. `watch` is told
+/// the number of finished points, and each proved claim.
 ///
 /// # Errors
-/// Returns the errors of [`discover`](crate::discover()), for the field at generic values of the
+/// Returns the errors of [`discover`](crate::discover()) for the field at generic values of the
 /// scanned parameters.
 pub fn scan(
     system: &System,
@@ -107,7 +108,7 @@ pub fn scan(
     let show =
         |done: usize| work.show(&Progress { what: "points", done: done as u64, of: Some(total as u64) });
     show(0);
-    // Every point is compared with the generic degrees and ranks, so these have no deadline.
+    // Every point is compared with the generic degrees and ranks, so they have no deadline.
     let generic =
         degrees_and_ranks(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
     let mut points = Vec::new();
@@ -136,7 +137,8 @@ pub fn scan(
     Ok(scan)
 }
 
-/// Observes degrees and ranks at these values. `Ok(None)` if orbits end at poles or time runs out.
+/// Observes degrees and ranks at these values. Returns `Ok(None)` if orbits end at poles or time
+/// runs out.
 fn degrees_and_ranks(
     system: &System,
     values: &[(String, Rational)],

@@ -1,4 +1,4 @@
-//! Helpers of tests: claims as rational functions, compiled formulas modulo a prime, and a watch.
+//! Helpers of tests: functions of claims, compiled formulas modulo a prime, and a watch.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,8 +17,7 @@ pub(crate) fn claim<'a>(system: &'a System, name: &str) -> &'a Claim {
     system.claims.iter().find(|claim| claim.name.text == name).expect("the claim exists")
 }
 
-/// Returns the functions of a claim: a single function, or the entries of a bracket above the
-/// diagonal.
+/// Returns the functions of a claim. A bracket gives the entries above the diagonal.
 pub(crate) fn functions(claim: &Claim) -> Vec<RationalFunction> {
     let arithmetic = Functions::new(Budget::unlimited());
     let values =
@@ -70,8 +69,7 @@ impl Arithmetic for Modulus {
     }
 }
 
-/// A watch whose clock advances by a millisecond at each reading. The watch may end the
-/// computation.
+/// A watch whose clock advances by a millisecond at each reading.
 #[derive(Debug, Default)]
 pub(crate) struct Ticking {
     ticks: AtomicU64,
@@ -81,7 +79,7 @@ pub(crate) struct Ticking {
 }
 
 impl Ticking {
-    /// Ends the computation at the call of `look` with this number. Calls are counted from 1.
+    /// Ends the computation at this call of `look`, counted from 1.
     pub(crate) fn ending_at_look(number: u64) -> Self {
         Ticking { last_look: Some(number), ..Ticking::default() }
     }

@@ -1,7 +1,6 @@
-//! The interface to the observer of a long computation: clock, threads, progress, findings, and
-//! early end.
+//! The interface to the observer of a long computation.
 //!
-//! Libraries have no clock, threads or screen of their own. The caller provides these as a
+//! Libraries have no clock, threads or screen of their own. The caller provides them as a
 //! [`Watch`], so computations also run in a notebook, and in a browser without a clock.
 
 use std::fmt;
@@ -14,16 +13,17 @@ use kahan_algebra::system::Claim;
 /// The observer of a long computation. The default methods provide no clock and one thread, and
 /// ignore all calls.
 pub trait Watch: Sync {
-    /// Returns the time since a fixed moment. `None` without a clock; time limits then do not
+    /// Returns the time since a fixed moment, or `None` without a clock. Time limits then do not
     /// apply.
     fn now(&self) -> Option<Duration> {
         None
     }
 
-    /// Receives the progress; `Break` ends the computation. After `Break` the watch is called no
-    /// more, and the computation returns as if its time limit had passed. `look` is called when a
-    /// stage begins and after each finding. While items are counted it is called at most a few
-    /// times a second, if a clock exists.
+    /// Receives the progress. The answer `Break` ends the computation as if its time limit had
+    /// passed, and the watch is not called again.
+    ///
+    /// `look` is called at the start of each stage and after each finding. While items are counted,
+    /// a watch with a clock is called at most a few times a second.
     fn look(&self, _progress: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
@@ -40,7 +40,7 @@ pub trait Watch: Sync {
 /// The progress of a computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress<'a> {
-    /// The items that are counted, for example `steps`, or the name of the stage that begins.
+    /// The name of the counted items, for example `steps`, or of the stage that begins.
     pub what: &'a str,
     /// The number of finished items.
     pub done: u64,

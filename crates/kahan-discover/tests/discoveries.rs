@@ -1,5 +1,4 @@
-//! Tests that known systems yield proved integrals and densities, and that fields with few
-//! structures yield true sentences.
+//! Tests the findings for known systems, and the sentences for fields with few structures.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Text;
@@ -51,8 +50,7 @@ fn the_lagrange_top_has_four_integrals() {
     let report = report(LAGRANGE, &options());
     assert_eq!((report.independent_integrals(), report.integrals.len()), (4, 4));
     check_lines(LAGRANGE, &report);
-    // If the second integral is subtracted from the third integral, the result is a polynomial, as
-    // in the catalog.
+    // The third integral minus the second integral is a polynomial, as in the catalog.
     assert!(report.integrals[2].denominator.is_one() && report.densities.len() == 1);
     let lengths: Vec<usize> = report.integrals.iter().map(|formula| formula.text.len()).collect();
     assert!(lengths.iter().sum::<usize>() <= 2500, "{lengths:?}");
@@ -68,7 +66,7 @@ fn integrals_and_densities_stand_in_factors() {
     assert_eq!(e2.integrals[0].text, "integral H1 = x*y/((1 + eps*x)*(1 - eps*x));");
 }
 
-/// In Kirchhoff's case, three integrals besides m3 have formulas of some thousand terms.
+/// Three integrals of Kirchhoff's case have formulas of some thousand terms.
 #[test]
 fn what_is_too_long_to_be_written_is_given_by_a_basis() {
     let kirchhoff =
@@ -106,7 +104,7 @@ fn formulas_have_a_limit_at_small_steps() {
     }
 }
 
-/// Tests a field with 24 integrals, whose 2^24 sets are too many to enumerate.
+/// The field has 24 integrals with 2^24 sets, which are too many to enumerate.
 #[test]
 fn many_integrals_are_no_burden() {
     let resting: String = (0..24).map(|i| format!("c{i}dot = 0; ")).collect();
@@ -139,7 +137,7 @@ fn hamiltonian_structure_is_found_with_its_tensor() {
     assert_eq!(structure.divergence, "0");
     let hamiltonian = structure.hamiltonians.pop().expect("f = K grad H");
     assert!(hamiltonian.modified_is_proved);
-    // K is determined up to a factor, which is chosen so that the first entry of K is 1.
+    // K is determined up to a factor, so its first entry is set to 1.
     let expected = [["0", "0", "1", "0"], ["0", "0", "0", "1"], ["-1", "0", "0", "0"], ["0", "-1", "0", "0"]];
     assert_eq!(hamiltonian.tensor, expected);
     assert_eq!(hamiltonian.hamiltonian, "1/2*p^2 + 1/2*q^2 + x^2*y + 1/2*a*x^2 + 1/2*b*y^2 - 1/3*c*y^3");
@@ -205,7 +203,6 @@ fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
     check_lines(chain, &report);
 }
 
-/// Proved integrals must be counted, even if a basis gives all integrals that orbits show.
 #[test]
 fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
     // The degrees of Noumi and Yamada's chain grow exponentially because of the constants.
@@ -244,9 +241,8 @@ fn a_modified_hamiltonian_too_long_to_be_written_counts() {
     assert_eq!((found.independent_integrals(), found.integrals.len(), found.not_reached()), (2, 1, 0));
 }
 
-/// Bogoyavlenskij and Itoh's chain of five sites shows one integral in the default degree, 4, and
-/// two in degree 5. A fixed point of the map bounds the number of integrals, with the modified
-/// Hamiltonian, by three.
+/// Bogoyavlenskij and Itoh's chain of five sites shows one integral in the default degree 4, and
+/// two in degree 5. A fixed point of the map bounds the number of integrals by three.
 #[test]
 fn degrees_go_on_until_nothing_can_be_missing() {
     let chain = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);
@@ -264,7 +260,7 @@ fn degrees_go_on_until_nothing_can_be_missing() {
     assert!(found.sentences.iter().any(|said| said.contains("degree that was given, 3, ended the search")));
 }
 
-/// Without a degree, these searches must end long before the time limit of an hour.
+/// The time limit is an hour, and the searches must end long before it.
 #[test]
 fn searches_end_where_nothing_can_be_missing() {
     let cases = [
@@ -292,7 +288,6 @@ fn searches_end_where_nothing_can_be_missing() {
     }
 }
 
-/// No bound is known for the degree of integrals of the map of E7.
 #[test]
 fn the_time_ends_a_search_where_something_may_be_missing() {
     let found = searched(E7, &Options { seconds: 1.0, ..options() });
@@ -340,8 +335,8 @@ fn growth_ends_searches_in_the_plane() {
     // At ε = 1 an integral exists.
     let found = searched(LOTKA_VOLTERRA, &Options { eps: Some(Rational::one()), ..options() });
     assert_eq!((found.growth.proof, found.bound), (None, Bound::Orbits));
-    // At a = 0 the field is undefined at ε = 0. The map of x has order 4 as a Möbius map, so an
-    // integral in x of degree 4 exists.
+    // At a = 0 the field is undefined at ε = 0. The map of x has order 4, so an integral of degree
+    // 4 exists.
     let periodic = "struct S { a } xdot = 1 + x^2/(4*(a + eps^2)); ydot = x*y + 1;";
     let at_zero = vec![("a".to_owned(), Rational::zero())];
     let found = searched(periodic, &Options { degree: Some(1), parameters: at_zero, ..options() });
@@ -386,8 +381,8 @@ fn without_time_there_is_still_a_report() {
     }
 }
 
-/// Quotients of cloned variables are constant (Evripidou, Kassotakis and Vanhaecke, "Morphisms and
-/// automorphisms of skew-symmetric Lotka-Volterra systems", 2021).
+/// Source: Evripidou, Kassotakis and Vanhaecke, "Morphisms and automorphisms of skew-symmetric
+/// Lotka-Volterra systems" (2021).
 #[test]
 fn quotients_of_two_terms_are_integrals() {
     let found = report("xdot = x*(y + z); ydot = -x*y; zdot = -x*z;", &options());
@@ -426,8 +421,8 @@ fn ten_parameters_have_formulas_of_one_line() {
     );
 }
 
-/// The field is a linear factor times the field of a quadratic Hamiltonian. Among the elements P +
-/// cQ, whose quotient P/Q is an integral, one is free of ε, and one is a product of two lines.
+/// The field is a linear factor times the field of a quadratic Hamiltonian. One element P + cQ is
+/// free of ε, and one is a product of two lines.
 #[test]
 fn a_pencil_is_given_by_its_members_that_fall_apart() {
     let linear = "xdot = (p*x + q*y + r)*(b*x + 2*c*y + e); ydot = -(p*x + q*y + r)*(2*a*x + b*y + d);";
@@ -442,8 +437,7 @@ fn a_pencil_is_given_by_its_members_that_fall_apart() {
     assert_eq!(found.densities[0].text, format!("density rho = 1/(({poles})*(r + p*x + q*y));"));
 }
 
-/// Tests Zander's field with exponents (1, 1, 2); its expanded integral has more than 4000
-/// characters.
+/// Tests Zander's field with exponents (1, 1, 2).
 #[test]
 fn six_symbols_have_an_integral_in_linear_factors() {
     let zander = "xdot = b1*(a2*x + b2*y)*(a3*x + b3*y) + b2*(a1*x + b1*y)*(a3*x + b3*y) \

@@ -32,7 +32,6 @@ fn drifts_are_found_where_they_are_known() {
                 "drift F2 = y by F2*(1 + eps)/(1 - eps);",
             ],
         ),
-        // The field has one integral, whose level sets are circles, and one drift.
         ("xdot = x^2 - y^2; ydot = 2*x*y;", &["drift F1 = x/(x^2 + y^2) by F1 - 2*eps;"]),
         ("xdot = 0; ydot = x*y;", &["drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);"]),
         // The fields have no drifts, and two, one and no integrals.
@@ -47,7 +46,7 @@ fn drifts_are_found_where_they_are_known() {
 
 #[test]
 fn first_order_recurrences_are_found() {
-    // For E8 and E7 with F1 = 2εN, the drifts are the recurrences of section 6 of the paper.
+    // For E8 and E7, the drifts are the recurrences of section 6 of the paper with F1 = 2εN.
     let e8 = "xdot = -x^2; ydot = -x*(x + y); zdot = 2*y*(x + y) + x*z;";
     let of_e8 = [
         "drift F1 = 1/x by F1 + 2*eps;",

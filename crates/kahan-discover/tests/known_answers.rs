@@ -92,6 +92,6 @@ fn the_entropy_is_the_logarithm_of_the_ratio() {
     let found =
         degrees(&map, &mut random, DegreeLimits { iterates: 6, degree: 800, deadline: &Deadline::never() });
     let Growth::Exponential { entropy } = GrowthVerdict::of(&found).growth else { panic!("{found:?}") };
-    // The ratio of the degrees is exactly 3; the quotient and the logarithm are rounded once each.
+    // The ratio of the degrees is exactly 3. The quotient and the logarithm are rounded once each.
     assert!((entropy - 3f64.ln()).abs() <= 4.0 * f64::EPSILON);
 }

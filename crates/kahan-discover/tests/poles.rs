@@ -15,8 +15,7 @@ fn found(text: &str, eps: Option<Rational>, steps: usize) -> Poles {
     poles(&system(text), &options, steps, &Unwatched).expect("there is a map")
 }
 
-/// Returns, for each curve, its name, whether it is confined, and the dimensions of its images up
-/// to that verdict.
+/// Returns for each curve its name, whether it is confined, and the dimensions of its images.
 fn verdicts(found: &Poles) -> Vec<(String, Option<bool>, Vec<usize>)> {
     let dimensions =
         |pattern: &Pattern| pattern.images[..pattern.steps].iter().map(|image| image.dimension).collect();
@@ -32,7 +31,7 @@ fn patterns_of_known_systems() {
     ];
     let expected = weierstrass.map(|(curve, confined, images)| (curve.to_owned(), confined, images));
     assert_eq!(verdicts(&found(WEIERSTRASS, None, 8)), expected);
-    // Lotka and Volterra's map contracts three lines. The singularity of each line is not confined.
+    // Lotka and Volterra's map contracts three lines, which are not confined.
     let generic = found(LOTKA_VOLTERRA, None, 8);
     assert!(
         verdicts(&generic).iter().all(|(_, confined, images)| *confined == Some(false) && *images == [0; 8])
@@ -80,7 +79,7 @@ fn confinement_alone_proves_nothing() {
     let growth = |found: &Poles| GrowthVerdict::of(&found.degrees).growth;
     let chaotic = found(HENON_HEILES, None, 8);
     assert!(confines(&chaotic) && matches!(growth(&chaotic), Growth::Exponential { .. }));
-    // Curves of linearisable maps need not be confined, so absence of confinement proves nothing.
+    // Curves of linearisable maps need not be confined.
     let linear = found(E3, None, 8);
     assert!(!confines(&linear) && growth(&linear) == Growth::Linear);
 }

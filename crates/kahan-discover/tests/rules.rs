@@ -1,4 +1,4 @@
-//! Tests that integrals by the rules of polarisation and rotation come before all searches.
+//! Tests integrals by the rules of polarisation and rotation, which precede all searches.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Options, Report, discover};
@@ -12,8 +12,7 @@ fn lines(report: &Report) -> Vec<&str> {
     report.integrals.iter().map(|formula| formula.text.as_str()).collect()
 }
 
-/// Checks the texts of all integrals up to degree 2, the number of integrals in the first stage,
-/// and all proofs.
+/// Checks all integrals up to degree 2, the number of integrals in the first stage, and all proofs.
 fn check(text: &str, options: Options, at_once: usize, expected: &[&str]) {
     let options = Options { degree: Some(2), iterates: 4, seconds: 3600.0, ..options };
     let report = discover(&system(text), &options, &Recording::default()).expect("there is a map");
@@ -57,8 +56,7 @@ fn what_is_fixed_is_put_into_the_rules() {
     check(PENDULUM, Options { eps, parameters, ..Options::default() }, 1, &expected);
 }
 
-/// In two hundred variables the prover would need a minute, so integrals by rules are not proved
-/// again.
+/// In two hundred variables the prover would need a minute.
 #[test]
 fn long_chains_show_theirs_at_once() {
     let n = 50;
@@ -73,7 +71,6 @@ fn long_chains_show_theirs_at_once() {
     let report = discover(&system(&chain.join(" ")), &Options::default(), &watch).expect("there is a map");
     assert_eq!(watch.findings().len(), n);
     assert!(watch.looks().iter().all(|stage| stage == FIRST_STAGE));
-    // The energy has a long text, so it comes last.
     let lines = lines(&report);
     let (energy, rotations) = lines.split_last().expect("there are integrals");
     assert!(energy.starts_with("integral H1 = 2*x0^2 - 2*x0*x1 - 2*x0*x49 + p0^2 - 2*g*c0 + 2*x1^2"));
@@ -83,8 +80,7 @@ fn long_chains_show_theirs_at_once() {
     }
 }
 
-/// For the Euler top, integrals by rotation have different denominators; the search finds a common
-/// one.
+/// For the Euler top, integrals by rotation have different denominators.
 #[test]
 fn integrals_with_one_denominator_come_before_those_of_rotations() {
     check(

@@ -7,7 +7,7 @@ use kahan_discover::{DiscoverError, Options, Scan, ScannedQuantity, Unwatched, s
 mod support;
 use support::*;
 
-/// Returns an axis of a grid with values between two integers. Each unit has `parts` values.
+/// Returns an axis of a grid between two integers, with steps of 1/`parts`.
 fn axis(name: &str, from: i64, to: i64, parts: i64) -> ScannedQuantity {
     let values = (from * parts..=to * parts).map(|above| Rational::new(above, parts)).collect();
     ScannedQuantity { name: name.to_owned(), values }
@@ -76,7 +76,7 @@ fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     found
 }
 
-/// Returns the relations with their numbers of points and claims. Each claim must fail without its
+/// Returns the relations with their numbers of points and claims, which must fail without the
 /// relation.
 fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
     let mistakes = |claim: &str| read(&lexer::lex(&format!("{text} {claim}")).tokens).diagnostics().to_vec();
@@ -101,7 +101,6 @@ fn linear_relations_are_proposed_and_proved() {
     assert_eq!(found.relations[0].claims, ["integral H1 = x + y + z when c = -a - b;"]);
     assert_eq!(found.relations[0].sight.integrals, 1);
     assert_eq!(relations(text, &on_grid(text, &["a", "b", "c"], 1, 2)), []);
-    // Integrals that hold without a relation are not claimed under one.
     let text = "xdot = a*x*y - z*x; ydot = b*z*x + y^2; zdot = 0;";
     let found = on_grid(text, &["a", "b"], -3, 3);
     let names: Vec<&str> = relations(text, &found).into_iter().map(|(name, ..)| name).collect();

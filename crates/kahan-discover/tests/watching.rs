@@ -29,7 +29,6 @@ fn a_watch_hears_of_each_claim_of_the_report_once_and_of_each_stage() {
             let begins = format!("{} {} ", finding.kind.keyword(), finding.name);
             assert!(finding.text.starts_with(&begins), "{finding:?}");
         }
-        // The function `look` is also called after each finding, in the stage that found it.
         let mut stages = watch.looks();
         stages.dedup();
         let all = [

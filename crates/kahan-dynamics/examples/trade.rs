@@ -1,7 +1,7 @@
 //! Finds the cheapest scalar, order and ε for several tolerances.
 //!
-//! A `Scene` compares settings with the flow over the whole time span, without a clock, so the
-//! choice is reproducible. A setting prints as a line of Rust.
+//! A `Scene` compares settings with the flow over the whole time span. The choice uses no clock, so
+//! it is reproducible. A setting prints as a line of Rust.
 
 use kahan_core::prelude::*;
 use kahan_dynamics::Scene;
@@ -13,8 +13,8 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// Prints the choices. For each, returns the tolerance, the order, and the change of the flow's
-/// integral.
+/// Prints the choices. Returns the tolerance, the order, and the change of the flow's integral for
+/// each.
 pub(crate) fn run() -> Vec<(f64, u32, f64)> {
     let start = vector![1.5, 1.0];
     let part = |value: f64| value - value.ln();

@@ -1,8 +1,8 @@
 //! Computations with many orbits of a map: choice of the integrator, cycles, reference solutions.
 //!
-//! In: maps of `kahan-core`, or any [`Step`](kahan_core::Step) with its derivative. Out: a
-//! [`Setting`] for a [`Scene`]; cycles and their branches ([`periodic`]); a [`Flow`]. Maps from
-//! text, plans and machine code belong to `kahan-runtime`.
+//! The input is a map of `kahan-core`, or any [`Step`](kahan_core::Step) with its derivative. The
+//! output is a [`Setting`] for a [`Scene`], a cycle or branch of cycles ([`periodic`]), or a
+//! [`Flow`]. Maps from text, plans and machine code belong to `kahan-runtime`.
 //!
 //! # Example
 //!
@@ -25,8 +25,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Modules are listed from bottom to top: each imports only from modules above it
-// (`tests/tests/layers.rs`).
+// Each module imports only from modules above it (`tests/tests/layers.rs`).
 mod flow;
 
 pub mod periodic;

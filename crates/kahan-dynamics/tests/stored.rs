@@ -24,8 +24,7 @@ fn comes_back<T>(value: &T)
 where
     T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Debug,
 {
-    // A `Value` of the workspace's serde_json keeps numbers as text. Reading floats from JSON
-    // directly needs the feature `float_roundtrip`.
+    // A JSON `Value` keeps numbers as text, and so avoids the feature `float_roundtrip`.
     let text = to_string(value).unwrap();
     assert_eq!(read::<T>(&text), *value, "{text}");
 }
@@ -71,7 +70,6 @@ fn a_setting_that_comes_back_runs_as_before() {
     comes_back(&scene);
     comes_back(&chosen);
     for scheme in Scheme::all() {
-        // The error is unknown, and therefore infinite.
         comes_back(&scene.setting(scheme, 100));
     }
 }

@@ -1,4 +1,4 @@
-//! A published case: a field, facts about its map, and their source.
+//! A published case: a field, known facts about Kahan's map of the field, and the source.
 
 use std::collections::BTreeMap;
 
@@ -13,9 +13,9 @@ pub(crate) struct Case {
     pub(crate) system: System,
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) known: Known,
-    /// The reason why a known fact cannot be found, if there is one.
+    /// The reason why the search cannot find a known fact.
     pub(crate) limit: Option<String>,
-    /// Published claims in their shortest known form. Each is proved.
+    /// Published claims in their shortest known form, which are proved when the case is read.
     pub(crate) shortest: Vec<String>,
 }
 
@@ -51,7 +51,6 @@ struct Line {
 }
 
 impl Case {
-    /// Reads a line of a file of cases, and proves its claims.
     pub(crate) fn read(line: &str) -> Result<Self, String> {
         let Line { name, field, params, known, limit, shortest, .. } =
             serde_json::from_str(line).map_err(|error| error.to_string())?;
@@ -74,7 +73,7 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Names may repeat, so each claim is read separately, after the drifts before it.
+    // Names may repeat, so each claim is read separately, with only the earlier drifts.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

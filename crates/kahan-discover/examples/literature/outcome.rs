@@ -12,12 +12,12 @@ use crate::clock::Clock;
 
 pub(crate) struct Outcome<'a> {
     case: &'a Case,
-    /// The texts in the columns of the table between the name and the times.
+    /// The columns of the table between the name and the times.
     counts: [String; 5],
     last_finding: f64,
     total: f64,
     pub(crate) printed: Vec<String>,
-    /// The printed length divided by the shortest known length. `None` if either is missing.
+    /// The printed length divided by the shortest known length.
     pub(crate) ratio: Option<f64>,
     pub(crate) differences: Vec<String>,
 }
@@ -104,8 +104,7 @@ case             integrals written growth      densities drifts ranks          l
     }
 }
 
-/// Collects the claims that `kahan discover` prints, and the compact forms of modified
-/// Hamiltonians.
+/// Collects all printed claims and the compact forms of modified Hamiltonians.
 fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
     for hamiltonian in report.compact() {
@@ -126,7 +125,7 @@ fn kind(claim: &str) -> &str {
     claim.split_whitespace().next().unwrap_or_default()
 }
 
-/// Returns the ascending lengths of the claims of each kind, without names and spaces.
+/// Returns the lengths of the claims by kind, without names and spaces.
 fn by_kind(claims: &[String]) -> BTreeMap<&str, Vec<usize>> {
     let mut lengths: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for claim in claims {

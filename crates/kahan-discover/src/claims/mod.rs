@@ -1,5 +1,4 @@
-//! Turns findings into proved claims in the language of `kahan!`, and conclusions into English
-//! sentences.
+//! Turns findings into proved claims of `kahan!`, and conclusions into English sentences.
 
 pub mod proved;
 pub(crate) mod verdicts;

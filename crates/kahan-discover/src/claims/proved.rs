@@ -1,7 +1,7 @@
 //! Writes formulas as claims in the language of `kahan!`, and proves them.
 //!
-//! The input consists of polynomials. A claim is returned if the prover accepts its text, read
-//! again, or if the text states exactly the formula of a theorem. Formulas that fail are dropped.
+//! A formula becomes a claim only if the prover accepts the written text, or if the text states
+//! exactly the formula of a theorem. All other formulas are dropped.
 
 use std::slice::from_ref;
 
@@ -32,16 +32,16 @@ const DENSITY: &str = "rho";
 pub struct Formula {
     /// The claim in the language of `kahan!`, for example `integral H1 = …;`.
     pub text: String,
-    /// The claim as read from the text: an integral or a density.
+    /// The claim as read from the text.
     pub claim: Claim,
-    /// The degree in the states, which is the larger of the degrees of numerator and denominator.
+    /// The greater of the degrees of numerator and denominator in the states.
     pub degree: u32,
     /// The numerator.
     pub numerator: Polynomial,
     /// The denominator.
     pub denominator: Polynomial,
-    /// The irreducible factors of an integral that depend on states. The list is empty for
-    /// densities.
+    /// The irreducible factors of an integral that depend on states. For a density the list is
+    /// empty.
     pub factors: Vec<Polynomial>,
 }
 
@@ -58,9 +58,9 @@ impl Formula {
 pub struct Claims<'a> {
     system: &'a System,
     bare: System,
-    /// The equations of the field as tokens, which seed the random points of the proofs.
+    /// The equations of the field, which seed the random points of the proofs.
     equations: Vec<Token>,
-    /// The clause of fixed values, for example ` when a = 1, eps = 1/2`, or empty.
+    /// The text of the fixed values, for example ` when a = 1, eps = 1/2`.
     pub(crate) condition: String,
 }
 
@@ -71,7 +71,7 @@ impl<'a> Claims<'a> {
         let field = &system.field;
         let symbols = &field.symbols;
         let equations = equation_lines(field).collect::<Vec<_>>().join(" ");
-        // A parameter may cancel; then the printed equations do not contain it.
+        // A parameter that cancels does not occur in the printed equations.
         let occurs = |name: &str| {
             symbols
                 .named(name)
@@ -89,16 +89,17 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// Returns the name of the block's own density if a density found here would replace it. A
-    /// block may hold only one density without a `when` clause.
+    /// Returns the name of the system's own density if a density found here would replace it.
+    ///
+    /// A `kahan!` block may hold only one density without a `when` clause.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;
         self.condition.is_empty().then_some(own.name.text.as_str())
     }
 
-    /// Returns an unused name that consists of the stem, the index, and underscores if needed. The
-    /// name of a density that will be [replaced](Self::own_density) counts as unused.
+    /// Returns an unused name that begins with `stem` and `index`. The name of a density that will
+    /// be [replaced](Self::own_density) counts as unused.
     pub(crate) fn name(&self, stem: &str, index: Option<usize>) -> String {
         let mut name = match index {
             Some(index) => format!("{stem}{index}"),
@@ -119,8 +120,8 @@ impl<'a> Claims<'a> {
         name
     }
 
-    /// Proves that numerator/denominator is an integral, and names it H`index`. `None` if the proof
-    /// fails. The text is factored; it may use powers of a polynomial of `by` to be shorter.
+    /// Writes the integral numerator/denominator with the name H`index`, and proves it. Returns
+    /// `None` if the proof fails. Powers of the polynomials `by` may shorten the text.
     #[must_use]
     pub fn integral(
         &self,
@@ -135,8 +136,8 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, numerator, denominator))
     }
 
-    /// Claims the integral numerator/denominator, which a theorem proves; the prover, which may
-    /// take minutes, is not called. `None` if the text, read again, states another function.
+    /// Writes the integral numerator/denominator, which a theorem proves. Returns `None` if the
+    /// written text states another function.
     pub(crate) fn integral_by_theorem(
         &self,
         symbols: &Symbols,
@@ -172,8 +173,8 @@ impl<'a> Claims<'a> {
         format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition)
     }
 
-    /// Proves that ∏ factorᵏ is an invariant density; `None` if the proof fails. The text is
-    /// factored; it may use powers of a polynomial of `by` to be shorter.
+    /// Writes the invariant density ∏ factorᵏ, and proves it. Returns `None` if the proof fails.
+    /// Powers of the polynomials `by` may shorten the text.
     #[must_use]
     pub fn density(
         &self,
@@ -196,8 +197,7 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, &product(&above), &product(&below)))
     }
 
-    /// Writes the entries of a bracket in factors. `tensor` has the entries above the diagonal, row
-    /// by row.
+    /// Writes the entries of a bracket. `tensor` has the entries above the diagonal, row by row.
     pub(crate) fn bracket_entries(&self, symbols: &Symbols, tensor: &[RationalFunction]) -> String {
         let states = &symbols.states;
         let places = (0..states.len()).flat_map(|i| (i + 1..states.len()).map(move |j| (i, j)));
@@ -214,8 +214,7 @@ impl<'a> Claims<'a> {
         Some(Bracket { text, claim, rank })
     }
 
-    /// Reads a claim that may refer to `earlier` claims, and returns it if it is proved. The
-    /// earlier claims are not proved again.
+    /// Reads a claim that may refer to `earlier` claims, and returns it if it is proved.
     pub(crate) fn proved(&self, earlier: &[&str], text: &str) -> Option<Claim> {
         let tokens = lexer::lex(&format!("{} {text}", earlier.join(" "))).tokens;
         let claims = claims_of(self.system, &tokens).ok()?;
@@ -245,7 +244,7 @@ fn formula(
     }
 }
 
-/// Removes the sign in front of a density; the sign does not affect invariance.
+/// Removes the sign of a density, which does not affect invariance.
 fn unsigned(value: String) -> String {
     match value.strip_prefix('-') {
         Some(positive) if is_product(&value) => positive.to_owned(),

@@ -1,4 +1,4 @@
-//! The conclusions of a search as sentences. Each sentence states exactly what was shown.
+//! Writes the conclusions of a search as sentences that state exactly what was shown.
 
 mod drifts;
 mod plane;
@@ -14,7 +14,6 @@ use crate::report::{Bound, HamiltonianReport, MOST_READABLE, ModifiedPlace, Repo
 use drifts::drifts;
 use structure::structure;
 
-/// Writes a count with its noun, for example `one integral` or `3 integrals`.
 fn counted(count: usize, what: &str) -> String {
     match count {
         0 => format!("no {what}"),
@@ -24,7 +23,7 @@ fn counted(count: usize, what: &str) -> String {
     }
 }
 
-/// Returns all sentences. If `is_stopped`, time ran out before higher degrees were searched.
+/// Writes all sentences. `is_stopped` says that time ran out before higher degrees were searched.
 pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     let mut sentences = Vec::new();
     sentences.push(degrees(report));
@@ -67,7 +66,7 @@ fn degrees(report: &Report) -> String {
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // Orbits already give the bound n − 1 in n variables, so the sentence is omitted.
+    // Orbits of n variables already give the bound n − 1.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }
@@ -115,7 +114,6 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
         Bound::Degree => Some(format!(
             "The degree that was given, {degree}, ended the search: higher ones may show more integrals."
         )),
-        // The last sentence reports that time ran out.
         Bound::Time if is_stopped => None,
         Bound::Time => Some(format!(
             "The time ended the search beyond degree {degree}: more seconds go on to higher degrees, which may show more integrals."
@@ -124,7 +122,6 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
             "The size ended the search: relations of degree {} would take more than {MOST_MONOMIALS_AT_ALL} monomials.",
             degree + 1
         )),
-        // If no orbit was found, the sentences on orbits report the reason.
         Bound::Poles => report.hilbert.as_ref().map(|_| {
             format!(
                 "Poles ended the search beyond degree {degree}: no orbit of a random point was long enough."
@@ -161,7 +158,7 @@ fn orbits(report: &Report) -> Vec<String> {
         format!(
             "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
             match report.bound {
-                // Bounds of this kind prove that there are no integrals.
+                // Each of these bounds proves that no integral exists.
                 Bound::Orbits | Bound::Ceiling | Bound::Growth | Bound::Drifts if report.independent == 0 => "",
                 _ => " This bounds the degree and does not prove that there is none.",
             }
@@ -259,7 +256,6 @@ fn formulas(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// Writes `the modified Hamiltonian`, or `the modified Hamiltonians of K1 and K2`.
 fn modified(of: &[&HamiltonianReport]) -> String {
     let plural = if of.len() > 1 { "s" } else { "" };
     match &listed_labels(of)[..] {
@@ -268,7 +264,6 @@ fn modified(of: &[&HamiltonianReport]) -> String {
     }
 }
 
-/// Writes the labels of the matrices K, such as `K1, K2 and K3`; empty if the only K has no number.
 fn listed_labels(of: &[&HamiltonianReport]) -> String {
     let numbered = of.iter().filter(|found| found.number.is_some());
     let labels: Vec<String> = numbered.map(|found| found.label("K")).collect();
@@ -332,8 +327,7 @@ fn density(report: &Report) -> String {
     }
 }
 
-/// Writes the sentence on a density that the system's own block claims. A block holds only one
-/// density without a `when` clause.
+/// Writes the sentence on a density that the system's own block claims.
 fn own_density(report: &Report) -> Option<String> {
     let own = report.own_density.as_ref().filter(|_| !report.densities.is_empty())?;
     Some(format!(

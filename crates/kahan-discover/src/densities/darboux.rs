@@ -1,10 +1,8 @@
 //! Darboux polynomials of the map φ: polynomials P with P(φ(x)) = C(x) P(x) for a given cofactor C.
-//! The equation is linear in P.
 //!
-//! If C = det ∂x̃/∂x, dx/P is an invariant measure; if C = 1, P is an integral. A quotient of
-//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density, too. If two polynomials P have
-//! equal C, their quotient is an integral. So P is not unique if integrals exist, and the simplest
-//! P is returned.
+//! If C = det ∂x̃/∂x, then dx/P is an invariant measure. If C = 1, then P is an integral. If two
+//! polynomials have equal cofactors, their quotient is an integral. So the equation may have many
+//! solutions, and the simplest P is returned.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -39,8 +37,7 @@ pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(
     })
 }
 
-/// Returns the null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on the monomials in `support`. `None` if
-/// the map φ is undefined at the sampled points, or if the deadline passes.
+/// Returns the solutions P of P(φ(x)) = det(∂x̃/∂x) P(x) on the monomials in `support`.
 fn null_vectors(
     map: &ModularMap,
     monomials: &Monomials,
@@ -58,8 +55,9 @@ fn null_vectors(
     })
 }
 
-/// Returns the space of all P up to a degree with the cofactor det ∂x̃/∂x; the space may be zero.
-/// `None` if the map φ is undefined at the sampled points, or if the deadline passes.
+/// Returns the space of all P up to a degree with the cofactor det ∂x̃/∂x.
+///
+/// Returns `None` if the map φ is undefined at the sampled points, or if the deadline passes.
 pub fn measure_space(
     map: &ModularMap,
     degree: u32,
@@ -75,13 +73,13 @@ pub fn measure_space(
 /// The highest degree of a product in a density 1/∏ factors.
 const HIGHEST_PRODUCT: u32 = 12;
 
-/// The highest degree of a density that is a quotient of factors. The degrees of numerator and
-/// denominator are added.
+/// The highest sum of the degrees of numerator and denominator in a density that is a quotient.
 const HIGHEST_QUOTIENT: u32 = 16;
 
 /// Finds the invariant measure of least degree over ℚ(parameters, ε), and reports the search.
-/// Products of `factors` are tried first, up to degree 12. Other polynomials P in 1/P have degrees
-/// up to `highest`.
+///
+/// Products of `factors` up to degree 12 are tried first. The density is 1/P otherwise, where the
+/// polynomial P has a degree up to `highest`.
 pub fn measure(
     searched: &SearchField,
     factors: &[Polynomial],
@@ -163,7 +161,7 @@ mod tests {
         let square = |polynomial: &Polynomial| polynomial * polynomial;
         let long = &(&square(&y) * &y) * &(Polynomial::one() - &square(&eps) * &square(&x));
         let factors = [long.clone(), y.clone()];
-        // Other densities 1/P have at least degree 4, and are not searched up to degree 2.
+        // Other densities 1/P have degree 4 or more, and the search ends at degree 2.
         let far = Deadline::never();
         let found = measure(&searched, &factors, 2, &mut SplitMix64::new(1), &far);
         assert_eq!(found.0, Some(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));

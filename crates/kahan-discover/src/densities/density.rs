@@ -27,7 +27,7 @@ fn density_degree(n: usize) -> u32 {
     (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1)
 }
 
-/// Returns the density 1/Pf(P), where P is a bracket's tensor of full rank and Pf its Pfaffian.
+/// Returns the density 1/Pf(P), where Pf(P) is the Pfaffian of a bracket's tensor P.
 pub(crate) fn pfaffian_density(
     tensor: &PoissonTensor,
     claims: &Claims<'_>,
@@ -39,8 +39,8 @@ pub(crate) fn pfaffian_density(
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
-/// Finds the density of least degree. If no density is found and det(I − t f′) is even in t, the
-/// density is 1/det A, with A(x,ε) = I − ε f′(x).
+/// Finds the density of least degree. The density 1/det(I − ε f′) of the field f replaces a missing
+/// one if det(I − t f′) is even in t.
 pub(crate) fn densities(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -70,8 +70,8 @@ pub(crate) fn densities(
     (densities, search)
 }
 
-/// Returns linear factors P of components of the field f for which P divides ∇P·f. The flow then
-/// preserves the hyperplane P = 0, and so does the map.
+/// Returns linear factors P of components of the field f for which P divides ∇P·f. The flow and the
+/// map preserve the hyperplane P = 0.
 fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     let symbols = &field.symbols;
     let mut found: Vec<Polynomial> = Vec::new();
@@ -91,8 +91,7 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     found
 }
 
-/// Returns det A(x,ε), A = I − ε f′, at the fixed ε and without state-independent factors. `None`
-/// if the text is too long.
+/// Returns det(I − ε f′) of the field f at the fixed ε, without factors that are free of states.
 fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
     let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);

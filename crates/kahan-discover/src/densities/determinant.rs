@@ -1,5 +1,4 @@
-//! Computes det A(x,ε), A = I − ε f′, and numerators over it, for fields whose map is beyond the
-//! budget.
+//! Computes det(I − ε f′) of a field f whose map is beyond the budget of terms.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{maximal_minors, scaled_matrix};
@@ -8,7 +7,7 @@ use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
 /// The most variables. The computation stores a minor for every set of columns.
 const MOST_VARIABLES: usize = 12;
 
-/// Returns ∏q · det A(x,ε), where qᵢ is the denominator of component i of the field.
+/// Returns ∏q · det(I − ε f′), where qᵢ is the denominator of component i of the field f.
 ///
 /// # Errors
 /// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.
@@ -16,9 +15,8 @@ pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, Ove
     of_matrix(&scaled_matrix(field), budget)
 }
 
-/// Returns ∏q · gᵀ adj(A) f, the numerator of gᵀ A⁻¹ f over [`determinant`]. Here A = I − ε f′, and
-/// qᵢ is the denominator of component i of the field. The result is minus the determinant of A
-/// bordered by f and g.
+/// Returns ∏q · gᵀ adj(A) f for the covector g, where A = I − ε f′. Component i of the field f has
+/// the denominator qᵢ. Division by [`determinant`] gives gᵀ A⁻¹ f.
 ///
 /// # Errors
 /// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.
@@ -55,7 +53,7 @@ mod tests {
         let map = RationalMap::of(&field).unwrap();
         let mut budget = Budget::new(1000, 1_000_000);
         assert_eq!(determinant(&field, &mut budget).unwrap(), map.denominator);
-        // For the i-th unit vector g, the result is n̂ᵢ; the numerator is N̂ᵢ = xᵢD̂ + 2ε n̂ᵢ over
+        // The unit vector with index i gives n̂ᵢ. Component i of the map is (xᵢD̂ + 2ε n̂ᵢ)/D̂ with
         // D̂ = det A.
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&2.into());
         for i in 0..3 {

@@ -10,7 +10,7 @@ use crate::modular::modulus::Modulus;
 
 /// Finds the simplest product of powers of `factors` with the cofactor 1/det ∂x̃/∂x. The exponents
 /// have the given `signs`, and Σ |exponent|·degree equals `degree`. The product is tested at two
-/// random points modulo 2⁶¹ − 1; the caller proves it.
+/// random points modulo 2⁶¹ − 1, and the caller must prove it.
 pub(crate) fn product(
     searched: &SearchField,
     factors: &[Polynomial],
@@ -21,8 +21,7 @@ pub(crate) fn product(
     let symbols = searched.family().symbols();
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
     let modulus = Modulus::mersenne_61();
-    // At each of two points: the cofactors with their inverses, and the determinant of the
-    // Jacobian.
+    // Each of two points has the cofactors with their inverses, and the Jacobian determinant.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
         let sample = searched.sample(modulus, random)?;
@@ -51,8 +50,7 @@ pub(crate) fn product(
         let each = exponents.iter().zip(factors);
         each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
-    // Tells whether all factors are free of states at ε = 0, as denominators of integrals are. The
-    // flow then preserves volume.
+    // The flow preserves volume if all factors are free of states at ε = 0.
     let is_of_flow = |exponents: &Vec<i32>| {
         let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
         used.all(|(_, factor)| !symbols.has_state(&factor.substitute(symbols.epsilon(), &Rational::zero())))
@@ -63,8 +61,8 @@ pub(crate) fn product(
     Some(used.collect())
 }
 
-/// Returns all exponents with these signs and Σ |exponent|·degree = `total`. For many factors the
-/// list is incomplete: the enumeration ends after half a million steps or 20 000 entries.
+/// Returns all exponents with these signs and Σ |exponent|·degree = `total`. The list is incomplete
+/// beyond half a million steps or 20 000 entries.
 pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
     const MOST_STEPS: usize = 500_000;
     let mut found = Vec::new();

@@ -1,9 +1,9 @@
 //! Lists the possible cofactors of polynomials under the map.
 //!
-//! In homogeneous coordinates, x₀ = 1, the map is F = (N₁ … Nₙ, D) of degree δ. Let P∘F = C·Q with
-//! P and Q of degree d. Then C has degree d(δ − 1) and vanishes only on hypersurfaces that F
-//! contracts. So C is a product of factors of the Jacobian determinant of F. The determinant has
-//! degree (n + 1)(δ − 1), and x₀ may divide it.
+//! In homogeneous coordinates the map is F = (N₁ … Nₙ, D) of degree δ. Let P∘F = C·Q with
+//! polynomials P and Q of degree d. Then C has degree d(δ − 1) and vanishes only on hypersurfaces
+//! that F contracts. So C is a product of factors of the Jacobian determinant of F, which has
+//! degree (n + 1)(δ − 1). The coordinate x₀ = 1 may be one of these factors.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -19,14 +19,13 @@ const MOST_WORK: u64 = 2_000_000;
 pub(super) struct Cofactors {
     pub(super) components: Vec<Polynomial>,
     pub(super) factors: Vec<Polynomial>,
-    /// The degrees of the determinant's factors in the states, followed by 1 if x₀ is a factor.
+    /// The degrees of the Jacobian determinant's factors, followed by 1 if x₀ is a factor.
     degrees: Vec<u32>,
     degree: u32,
 }
 
 impl Cofactors {
-    /// Factors the Jacobian determinant of the map. `None` if the map or the determinant is beyond
-    /// the budget.
+    /// Factors the Jacobian determinant of the map.
     pub(super) fn of(field: &Field, searched: &SearchField) -> Option<Self> {
         let symbols = &field.symbols;
         let components = components(field, searched)?;
@@ -45,8 +44,7 @@ impl Cofactors {
         self.components.last().expect("a map has a denominator")
     }
 
-    /// Returns the possible cofactors of polynomials of one degree, each as exponents of the
-    /// factors.
+    /// Returns the possible cofactors of polynomials of one degree, as exponents of the factors.
     pub(super) fn of_degree(&self, degree: u32) -> Vec<Vec<i32>> {
         exponents(&self.degrees, degree * (self.degree - 1), &[1])
     }

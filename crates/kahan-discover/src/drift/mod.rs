@@ -1,11 +1,10 @@
-//! Drifts: functions F whose value at the next point, F(x̃), is F(x) + c, c·F(x), or (aF(x) +
-//! b)/(cF(x) + d).
+//! Drifts: functions F whose value at the next point is F + c, c·F, or (aF + b)/(cF + d).
 //!
-//! Let P be a basis of polynomials whose span the map leaves invariant up to a cofactor C: P(x̃) =
-//! C(x)·M·P(x) with a matrix M. Then M acts on quotients of polynomials of this span. The search
-//! finds these spaces modulo a prime, by degree and cofactor. If a space has a function independent
-//! of integrals and earlier drifts, P and M are reconstructed over ℚ. The module `normal` finds
-//! drifts from the Jordan form of M. Each drift is proved as a claim.
+//! Let P be a basis of polynomials with P(x̃) = C(x)·M·P(x), where M is a matrix and C a cofactor.
+//! Then M acts on quotients of polynomials in the span of P. The search finds these spans modulo a
+//! prime, by degree and cofactor. If a span has a function independent of integrals and earlier
+//! drifts, P and M are reconstructed over ℚ. The module `normal` finds drifts from the Jordan form
+//! of M. Each drift is proved as a claim.
 
 mod cofactors;
 mod normal;
@@ -41,7 +40,6 @@ pub(crate) const SHARE: f64 = 0.03;
 
 const HIGHEST: u32 = 4;
 
-/// The most products in all eliminations together, which take a fraction of a second.
 const MOST_PRODUCTS: usize = 20_000_000;
 
 const MOST_DIMENSIONS: usize = 8;
@@ -63,17 +61,16 @@ pub struct Drift {
     pub denominator: Polynomial,
 }
 
-/// The form of a drift F at the next point.
+/// The value of a drift F at the next point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DriftKind {
-    /// The sum F + c; the field holds c.
+    /// The sum F + c with this c.
     Sum(Constant),
-    /// The multiple c·F; the field holds c.
+    /// The multiple c·F with this c.
     Multiple(Constant),
     /// A Möbius image (aF + b)/(cF + d).
     Image,
-    /// A function of F, integrals and earlier drifts. The field holds the names of the integrals
-    /// and drifts.
+    /// A function of F, integrals and earlier drifts, with the names of the integrals and drifts.
     Link(Vec<String>),
 }
 
@@ -87,8 +84,8 @@ pub struct Constant {
 }
 
 impl DriftKind {
-    /// Returns whether the map from F to its next value has infinite order. The map F ↦ F + c has
-    /// infinite order if c ≠ 0, and the map F ↦ c·F if c ≠ ±1.
+    /// Returns whether the map from F to its next value has infinite order. F ↦ F + c has infinite
+    /// order if c ≠ 0, and F ↦ c·F if c ≠ ±1.
     pub(crate) fn has_infinite_order(&self) -> bool {
         let one = RationalFunction::one();
         match self {
@@ -99,8 +96,7 @@ impl DriftKind {
     }
 }
 
-/// Finds and proves drifts that are independent of each other and of the integrals. Calls `tell`
-/// for each drift.
+/// Finds and proves drifts that are independent of each other and of the integrals.
 pub(crate) fn drifts(
     searched: &SearchField,
     field: &Field,
@@ -153,10 +149,9 @@ pub(crate) fn drifts(
 
 /// Returns an upper bound on the number of independent integrals in n dimensions with these drifts.
 ///
-/// Suppose that a drift F becomes F + c with c ≠ 0, and a drift G becomes c′·G with c′ no root of
-/// unity. In the (F, G)-plane a generic orbit has the closure of all powers of (+c, ·c′), which is
-/// 𝔾ₐ × 𝔾ₘ. So generic orbits have closures of dimension at least 2. If only one of F and G exists,
-/// the dimension is at least 1.
+/// Suppose that a drift F becomes F + c with c ≠ 0, and a drift G becomes c′·G, where c′ is no root
+/// of unity. The powers of (+c, ·c′) are dense in 𝔾ₐ × 𝔾ₘ. So generic orbits have closures of
+/// dimension at least 2. With only one of F and G the dimension is at least 1.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     let kinds = || drifts.iter().map(|drift| &drift.kind).filter(|kind| kind.has_infinite_order());
     let has_sum = kinds().any(|kind| matches!(kind, DriftKind::Sum(_)));
@@ -164,9 +159,10 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     n - usize::from(has_sum) - usize::from(has_multiple)
 }
 
-/// Drops the first invalid drift, and all later drifts, because they may depend on the first. A
-/// drift is invalid if it depends on integrals and earlier drifts. It is also invalid if its claim
-/// names an integral of `before` that is not in `integrals`.
+/// Drops the first invalid drift, and all later drifts, because they may depend on the first.
+///
+/// A drift is invalid if it is a function of integrals and earlier drifts. A drift whose claim
+/// names an integral of `before` outside of `integrals` is also invalid.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,
     searched: &SearchField,
@@ -235,8 +231,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs the invariant space of this form with its matrix M, and adds the drifts that M
-    /// gives.
+    /// Reconstructs the invariant space of this form and its matrix M, and adds the drifts of M.
     fn of_space(
         &mut self,
         monomials: &Monomials,
@@ -261,8 +256,7 @@ impl Search<'_> {
         let (rows, matrix) = (split(rows, width), split(matrix, size));
         let symbols = self.searched.family().symbols();
         let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
-        // Returns s·Σ vᵢPᵢ for the basis Pᵢ, and the factor s. The sum has integer coefficients and
-        // no state-independent factors.
+        // Returns s·Σ vᵢPᵢ for the basis P, and the factor s that makes the sum short.
         let element = |vector: &Vec<RationalFunction>| {
             let (numerators, common) = RationalFunction::over_common(&normal::image(vector, &rows));
             let whole = combination(&states, monomials, &form.support, &numerators);
@@ -297,7 +291,6 @@ impl Search<'_> {
         self.claims.name("F", Some(self.found.len() + 1))
     }
 
-    /// Adds the drift above/below, if the claim of the drift is short and proved.
     fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
         let name = self.name();
         let value = quotient(self.searched.family().symbols(), from_ref(above), from_ref(below), &[]);
@@ -307,8 +300,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds drifts that are states: the next value of the state is a function of the state and of
-    /// earlier drifts.
+    /// Adds the states whose next value is a function of the state and of earlier drifts.
     fn add_links(&mut self) -> Option<()> {
         while !self.is_done() && !self.deadline.passed() {
             let name = self.name();
@@ -325,8 +317,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Adds a drift if its claim is short and proved; returns whether it was added. The claim of a
-    /// [`DriftKind::Link`] may refer to integrals and earlier drifts.
+    /// Adds a drift if its claim is short and proved. Returns whether the drift was added.
     fn add(
         &mut self,
         name: &str,

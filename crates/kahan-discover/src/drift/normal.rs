@@ -1,6 +1,6 @@
 //! Drifts from the Jordan form of a matrix M over ℚ(parameters, ε), for eigenvalues of degree at
-//! most 2. The basis P satisfies P(x̃) = C(x)·M·P(x). For a row vector v let P_v = Σ vᵢPᵢ; then
-//! P_v(x̃) = C(x)·P_{vM}(x).
+//! most 2. The basis P satisfies P(x̃) = C(x)·M·P(x). Each row vector v gives a polynomial P_v = Σ
+//! vᵢPᵢ with P_v(x̃) = C(x)·P_{vM}(x).
 //!
 //! | v, w | F = P_w/P_v | next value |
 //! |---|---|---|
@@ -19,12 +19,12 @@ type Matrix = Vec<Vector>;
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// The form of F = P_w/P_v at the next point.
+/// The value of F = P_w/P_v at the next point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Next {
-    /// The sum F + c.
+    /// The sum F + c with this c.
     Sum(RationalFunction),
-    /// The multiple c·F.
+    /// The multiple c·F with this c.
     Multiple(RationalFunction),
     /// The Möbius image (aF + b)/(cF + d).
     Image([RationalFunction; 4]),
@@ -55,7 +55,7 @@ impl Next {
         }
     }
 
-    /// Returns the form of s·F at the next point, as a function of s·F.
+    /// Returns the next value of s·F, as a function of s·F.
     pub(super) fn scaled(self, scale: &RationalFunction) -> Option<Next> {
         Some(match self {
             Next::Sum(step) => Next::Sum(&step * scale),
@@ -64,7 +64,7 @@ impl Next {
         })
     }
 
-    /// Returns the form of 1/F at the next point, as a function of 1/F; `None` for F + c.
+    /// Returns the next value of 1/F, as a function of 1/F.
     pub(super) fn of_reciprocal(&self) -> Option<Next> {
         match self {
             Next::Sum(_) => None,
@@ -74,15 +74,14 @@ impl Next {
     }
 }
 
-/// A function F = P_above/P_below, where P_v = Σ vᵢPᵢ, with the form of F at the next point.
+/// A function F = P_above/P_below with its next value, where P_v = Σ vᵢPᵢ for a row vector v.
 pub(super) struct FunctionWithNext {
     pub(super) above: Vector,
     pub(super) below: Vector,
     pub(super) next: Next,
 }
 
-/// Returns all drifts in the table above for the matrix M: sums, multiples and images. `free` is a
-/// variable that does not occur in M.
+/// Returns all drifts in the module's table. The variable `free` must not occur in M.
 pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
@@ -180,8 +179,8 @@ fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
     sum
 }
 
-/// Returns a basis of the row vectors v with vM = 0, by elimination in the transposed matrix. Each
-/// vector has 1 in one column without a pivot, and 0 in the other columns without a pivot.
+/// Returns a basis of the row vectors v with vM = 0. Each vector has 1 in one column without a
+/// pivot, and 0 in the other columns without a pivot.
 fn left_null_space(matrix: &Matrix) -> Vec<Vector> {
     let columns = matrix.len();
     let transposed = |column: usize| matrix.iter().map(|row| row[column].clone()).collect();
@@ -226,8 +225,8 @@ mod tests {
 
     #[test]
     fn every_function_is_carried_as_it_says() {
-        // The matrix has a Jordan block of size 2 with the eigenvalue 2, the simple eigenvalue 3,
-        // and a block that rotates a plane.
+        // The matrix has a Jordan block of size 2, a simple eigenvalue, and a block that rotates a
+        // plane.
         let of = matrix(&[
             &[2, 0, 0, 0, 0],
             &[5, 2, 0, 0, 0],
@@ -238,7 +237,7 @@ mod tests {
         let found = carried(&of, Variable(0));
         let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
         assert_eq!(kinds.len(), 3);
-        // Let P be a column of values. Then F = wP/vP has the next value wMP/vMP.
+        // For a column P of values, F = wP/vP has the next value wMP/vMP.
         for FunctionWithNext { above, below, next } in found {
             let (moved_above, moved_below) = (image(&above, &of), image(&below, &of));
             let point = matrix(&[&[7], &[-3], &[11], &[2], &[5]]);

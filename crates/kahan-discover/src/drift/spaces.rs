@@ -1,4 +1,4 @@
-//! Finds, modulo a prime, spaces of polynomials that the map leaves invariant up to a cofactor.
+//! Finds spaces of polynomials that the map leaves invariant up to a cofactor, modulo a prime.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -12,21 +12,18 @@ use crate::modular::subspace::Form;
 
 use super::cofactors::Cofactors;
 
-/// Pairs of polynomials (P, Q) with P(x̃) = C(x)·Q(x) and a cofactor C. Each row has the
-/// coefficients of P, then those of Q.
+/// Pairs of polynomials with P(x̃) = C(x)·Q(x) for a cofactor C. Each row has the coefficients of
+/// P, then those of Q.
 type Pairs = Vec<Vec<u64>>;
 
 pub(super) struct Points {
     modulus: Modulus,
-    /// For each point x: the monomials at x, the monomials at x̃ times D^d, and the values of the
-    /// possible cofactor's factors at x. D is the map's denominator, and d the degree of the
-    /// polynomials.
+    /// The values at each point: monomials, monomials of the image without denominators, and
+    /// factors of cofactors.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 
 impl Points {
-    /// Samples enough points to determine pairs of polynomials. `None` if the map is undefined
-    /// there.
     pub(super) fn new(
         searched: &SearchField,
         sample: &Sample,
@@ -53,9 +50,8 @@ impl Points {
         Some(Points { modulus, values })
     }
 
-    /// Returns a basis of the largest space of polynomials that the map sends to the same space
-    /// times a cofactor. The cofactor is the product of the factors with these exponents. Each
-    /// element of the basis is paired with its image.
+    /// Returns the largest space of polynomials that the map sends to itself times a cofactor. The
+    /// cofactor has these exponents. Each basis element is paired with its image.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {
@@ -79,8 +75,7 @@ impl Points {
     }
 }
 
-/// Returns the combinations of pairs (P, Q) for which Q lies in the span of all first polynomials
-/// P.
+/// Returns the combinations of pairs (P, Q) for which Q is in the span of all polynomials P.
 fn with_images_inside(modulus: &Modulus, pairs: &Pairs, count: usize) -> Pairs {
     let space = Echelon::of(modulus, pairs.iter().map(|pair| pair[..count].to_vec()).collect(), count);
     let outside = |pair: &[u64]| space.remainder(modulus, pair[count..].to_vec());
@@ -90,14 +85,15 @@ fn with_images_inside(modulus: &Modulus, pairs: &Pairs, count: usize) -> Pairs {
     echelon.rows[inside..].iter().map(|row| row[count..].to_vec()).collect()
 }
 
-/// A basis P in reduced form, the cofactor C, and the matrix M with P(x̃) = C(x)·M·P(x).
+/// A basis P in reduced form, and the matrix M with P(x̃) = C(x)·M·P(x) for a cofactor C.
 pub(super) struct InvariantSpace {
     pub(super) rows: Vec<Vec<u64>>,
     pub(super) matrix: Vec<Vec<u64>>,
 }
 
 impl InvariantSpace {
-    /// Restricts the space to the monomials of `form`. `None` if the basis has another form.
+    /// Restricts the space to the monomials of `form`. Returns `None` if the basis has another
+    /// form.
     pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
         let count = pairs.first()?.len() / 2;
         let wide = |pair: &Vec<u64>| {
@@ -117,8 +113,8 @@ impl InvariantSpace {
         })
     }
 
-    /// Returns whether the matrix M is a multiple of the identity. If so, all quotients of elements
-    /// are integrals.
+    /// Returns whether the matrix M is a multiple of the identity. All quotients of elements are
+    /// then integrals.
     pub(super) fn is_scalar(&self) -> bool {
         let first = self.matrix[0][0];
         self.matrix

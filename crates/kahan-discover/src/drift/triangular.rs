@@ -1,10 +1,9 @@
-//! First-order recurrences: states whose value at the next point is a function of the state and of
-//! earlier drifts.
+//! First-order recurrences: states whose next value is a function of the state and of earlier
+//! drifts.
 //!
-//! Suppose that a drift or integral F contains a single state xᵢ, and is linear in xᵢ in numerator
-//! and denominator. Then xᵢ is a function of F. If the image of another state w contains only w and
-//! states known in this way, then w is a drift. The product of w with a power of an earlier drift
-//! is a drift, too, and may have a shorter formula.
+//! Suppose that a drift or integral F contains a single state xᵢ, and is a Möbius function of xᵢ.
+//! Then xᵢ is a function of F. If the next value of another state w contains only w and such known
+//! states, then w is a drift. The product of w with a power of an earlier drift may be shorter.
 
 use std::slice::from_ref;
 
@@ -21,7 +20,7 @@ use super::{Constant, DriftKind};
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 200_000;
 
-/// The exponents of an earlier drift that are tried in the product of its power with a state.
+/// The exponents k to try in products w·F^k of a state w and an earlier drift F.
 const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
 
 pub(super) struct TriangularSystem {
@@ -29,10 +28,9 @@ pub(super) struct TriangularSystem {
     symbols: Symbols,
     own: Symbols,
     components: Vec<Polynomial>,
-    /// For each state its expression in drifts, if known.
+    /// The expression of each state in drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// For each drift: its variable, its expression in states, and its value at the next point in
-    /// drifts.
+    /// Each drift has its variable, its expression in states, and its next value in drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 
@@ -48,7 +46,7 @@ pub(super) struct DriftCandidate {
 }
 
 impl TriangularSystem {
-    /// Starts without drifts. `names` lists the names that drifts and integrals may get.
+    /// Starts without drifts. `names` are the names that drifts and integrals may get.
     pub(super) fn new(symbols: &Symbols, components: &[Polynomial], names: Vec<String>) -> Self {
         let states = [symbols.states.clone(), names].concat();
         let joint = Symbols { states, parameters: symbols.parameters.clone() };
@@ -61,8 +59,6 @@ impl TriangularSystem {
         self.symbols.states.iter().position(|known| known == name).map(|index| self.symbols.state(index))
     }
 
-    /// Returns the drift's variable, its value at the next point, the kind of that value, and its
-    /// text.
     pub(super) fn written(
         &self,
         name: &str,
@@ -89,7 +85,7 @@ impl TriangularSystem {
         }
     }
 
-    /// Writes the next value of a drift F if it has the form a·F + b; `None` otherwise.
+    /// Writes the next value of a drift F in the form a·F + b.
     fn affine(&self, next: &RationalFunction, drift: Variable) -> Option<String> {
         let (above, below) = (next.numerator(), next.denominator());
         let is_affine = above.degree_where(|one| one == drift) == 1 && !below.contains(drift);
@@ -144,13 +140,13 @@ impl TriangularSystem {
         };
         let ([a, b], [c, d]) =
             ([1, 0].map(|power| part(&above, power)), [1, 0].map(|power| part(&below, power)));
-        // Solves F = (a·x + b)/(c·x + d) for the state x.
+        // Solve F = (a·x + b)/(c·x + d) for the state x.
         self.values[state] = (&b - &(&d * &drift)).checked_div(&(&(&c * &drift) - &a));
         let in_states = RationalFunction::new(above, below).expect("a denominator is not zero");
         self.steps.push([drift, in_states, next]);
     }
 
-    /// Returns the shortest drift with this name, for the first state that yields a drift.
+    /// Returns the shortest drift of the first state that yields a drift.
     pub(super) fn link(&self, name: &str) -> Option<DriftCandidate> {
         if self.steps.is_empty() {
             return None;
@@ -195,7 +191,6 @@ impl TriangularSystem {
         links.min_by_key(|link| link.value_text.len() + link.next_text.len())
     }
 
-    /// Returns numerator and denominator of a candidate as polynomials in the states.
     pub(super) fn in_states(&self, link: &DriftCandidate) -> [Polynomial; 2] {
         [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
     }
@@ -221,7 +216,7 @@ fn raised(function: &RationalFunction, power: i32) -> Option<RationalFunction> {
     Some((0..power.unsigned_abs()).fold(RationalFunction::one(), |product, _| &product * &base))
 }
 
-/// Renames variables by index. States and parameters have equal indices in both symbol tables.
+/// Renames variables by index: states and parameters have equal indices in both symbol tables.
 fn moved(polynomial: &Polynomial, from: &Symbols, to: &Symbols) -> Polynomial {
     polynomial.map_variables(|variable| match from.symbol(variable) {
         Symbol::State(i) | Symbol::SecondState(i) => to.state(i),

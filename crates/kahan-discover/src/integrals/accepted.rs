@@ -1,4 +1,4 @@
-//! Simplifies and proves integrals, and accepts the independent integrals.
+//! Simplifies and proves integrals, and accepts those that are independent.
 
 use std::slice::from_ref;
 
@@ -16,12 +16,10 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::tidy;
 
-/// The most coefficients of a degree that is searched before known integrals of higher degree are
-/// accepted.
+/// The most coefficients of a search that may run before known integrals are accepted.
 const MOST_AHEAD: usize = 150;
 
-/// The total length up to which P/Q is not replaced by another quotient of elements of the
-/// pencil P + cQ.
+/// Integrals P/Q of at most this length are not simplified.
 const SHORT: usize = 60;
 
 pub(crate) struct Accepted<'a> {
@@ -41,8 +39,7 @@ impl Accepted<'_> {
         self.formulas.len() >= self.wanted
     }
 
-    /// Accepts P/Q if it is independent and proved. If P and Q are both integrals, accepts each of
-    /// them.
+    /// Accepts P/Q if it is independent and proved. If P and Q are integrals, accepts both instead.
     pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
         if denominator.as_constant().is_none()
             && self.step.as_ref().is_some_and(|step| step.keeps(self.searched, &denominator))
@@ -54,8 +51,7 @@ impl Accepted<'_> {
         }
     }
 
-    /// Accepts known integrals once the search reaches the degree of the integral, or becomes
-    /// expensive.
+    /// Accepts known integrals once the search reaches their degree or becomes expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
@@ -97,8 +93,8 @@ impl Accepted<'_> {
         }
     }
 
-    /// Returns P/Q if it is short. Otherwise returns the shortest quotient of elements of the
-    /// pencil P + cQ whose limit at ε = 0 depends on the states.
+    /// Returns P/Q if it is short. Otherwise returns the shortest quotient of elements P + cQ whose
+    /// limit at ε = 0 depends on the states.
     fn shortest(
         &self,
         (numerator, denominator): &(Polynomial, Polynomial),
@@ -115,7 +111,7 @@ impl Accepted<'_> {
         if special.is_empty() {
             return own;
         }
-        // Prefer denominators that are constant at ε = 0, since the limit is then a polynomial.
+        // A denominator that is constant at ε = 0 gives a polynomial limit.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
@@ -138,13 +134,12 @@ impl Accepted<'_> {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =
             reduced(self.searched, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
-        // The subtracted term may be a product of known factors, so test independence again.
+        // The subtracted term may be a product of known factors.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of the accepted integrals, in the coordinates of a level set. The
-    /// result is empty on a proper level set, since the integrals that define the level set are
-    /// constants there.
+    /// Returns the gradients of the accepted integrals in the coordinates of a level set. On a
+    /// proper level set, the defining integrals are constant, and the result is empty.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

@@ -1,7 +1,7 @@
-//! Finds the integrals that compositions of the map φ preserve. The integrals are tested on the
-//! symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂.
+//! Finds the integrals that compositions of the map φ preserve.
 //!
-//! Compositions of higher order have this pattern.
+//! The integrals are tested on φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂. Compositions of
+//! higher order have this symmetric pattern.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -19,10 +19,9 @@ use crate::orbits::hilbert::{Hilbert, random_relations};
 pub struct CompositionIntegrals {
     /// The Hilbert function of a generic orbit of the composed map.
     pub hilbert: Hilbert,
-    /// Tells for each formula whether the composed map preserves the formula.
+    /// Whether the composed map preserves each formula.
     pub formulas: Vec<bool>,
-    /// Pairs of formulas whose quotient the composed map preserves, but not the formulas
-    /// themselves.
+    /// Pairs of formulas of which the composed map preserves only the quotient.
     pub quotients: Vec<(usize, usize)>,
 }
 
@@ -45,8 +44,10 @@ impl ModularStep for Composed {
     }
 }
 
-/// Follows an orbit of the composed map modulo a prime, at random parameters, ε and γ. Formulas use
-/// the ε of the whole composition. `None` if the map is undefined or the deadline passes.
+/// Returns the integrals of a composed map modulo a prime, at random parameters and ε. The formulas
+/// use the ε of the whole composition.
+///
+/// Returns `None` if the map is undefined or the deadline passes.
 pub fn survivors(
     searched: &SearchField,
     formulas: &[Formula],
@@ -70,7 +71,6 @@ pub fn survivors(
         let below = searched.evaluate(&formula.denominator, &sample, point)?;
         Some(modulus.times(above, modulus.inverse(below)?))
     };
-    // Returns the factor by which one composed step multiplies a formula.
     let factor = |formula: &Formula| {
         let (here, there) = (value(formula, &relations.start)?, value(formula, &next)?);
         Some(modulus.times(there, modulus.inverse(here)?))

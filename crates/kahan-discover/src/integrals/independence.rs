@@ -1,5 +1,4 @@
-//! Tests the functional independence of quotients of polynomials by the rank of gradients at a
-//! random point.
+//! Tests independence of quotients of polynomials by the rank of gradients at a random point.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -9,8 +8,8 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::matrix::Echelon;
 
-/// Returns ∇(P/Q) Q² at a point modulo a prime. `None` if the prime divides a denominator of the
-/// coefficients.
+/// Returns ∇(P/Q) Q² at a point modulo a prime. Returns `None` if the prime divides a denominator
+/// of the coefficients.
 #[must_use]
 pub fn quotient_gradient(
     searched: &SearchField,
@@ -32,8 +31,8 @@ pub fn quotient_gradient(
         .collect()
 }
 
-/// The gradients of accepted functions at a random point modulo a prime. The rank of these
-/// gradients is at most their rank over ℚ.
+/// The gradients of accepted functions at a random point modulo a prime. Gradients that are
+/// independent modulo a prime are independent over ℚ.
 #[derive(Debug)]
 pub struct Independent<'a> {
     searched: &'a SearchField,
@@ -42,7 +41,7 @@ pub struct Independent<'a> {
 }
 
 impl<'a> Independent<'a> {
-    /// Chooses a random point, without any accepted function.
+    /// Chooses a random point, and starts without accepted functions.
     pub fn new(searched: &'a SearchField, random: &mut SplitMix64) -> Self {
         Independent { searched, step: searched.step(random), gradients: Vec::new() }
     }
@@ -69,7 +68,7 @@ impl<'a> Independent<'a> {
         self.step.as_ref()
     }
 
-    /// Returns the rank of the accepted gradients together with `further`; 0 if no point was found.
+    /// Returns the rank of the accepted gradients together with `further`.
     pub(crate) fn rank_with(&self, further: Vec<Vec<u64>>) -> usize {
         let Some(step) = &self.step else { return 0 };
         let rows = [self.gradients.clone(), further].concat();

@@ -10,8 +10,7 @@ use crate::modular::subspace::tidy;
 const LIMIT_WORK: u64 = 2_000_000;
 
 /// Returns a polynomial P′ such that P′/Q depends on the states at ε = 0. While P/Q has a constant
-/// limit c, P is replaced by (P − cQ)/εᵏ. On a level set, the integrals that define the level set
-/// count as constants.
+/// limit c, P is replaced by (P − cQ)/εᵏ.
 pub(crate) fn with_a_limit(
     symbols: &Symbols,
     mut numerator: Polynomial,

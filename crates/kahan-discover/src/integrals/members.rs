@@ -1,12 +1,11 @@
-//! Special elements P + cQ of a pencil, whose quotient P/Q is an integral: elements that factor,
-//! have lower degree, or are free of ε.
+//! Finds special elements P + cQ for an integral P/Q: elements that factor, have lower degree, or
+//! are free of ε.
 //!
-//! Let F be a polynomial of degree d in s and t. The equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions
-//! G, H of degree d − 1 other than multiples of ∇F if and only if F factors over ℂ or has a square
-//! factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003). For F = P + cQ on
-//! a random plane the equation is linear in c, so the wanted c are roots of a polynomial modulo a
-//! prime. Elements at different parameters are matched by [`MemberProperties`] and interpolated.
-//! The caller proves that they give integrals.
+//! Let F(s, t) be a polynomial of degree d. Consider polynomials G, H of degree d − 1 with
+//! ∂(G/F)/∂t = ∂(H/F)/∂s, other than multiples of ∇F. Solutions exist if and only if F factors over
+//! ℂ or has a square factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003).
+//! For F = P + cQ on a random plane the equation is linear in c. The wanted c are therefore roots
+//! of a polynomial modulo a prime. The caller must prove the results.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -21,17 +20,16 @@ use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::Oracle;
 use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, tidy};
 
-/// The most products modulo a prime in one search, which take some tenths of a second.
+/// The most products modulo a prime in one search.
 const MOST_WORK: u64 = 100_000_000;
 
 const WORK_OF_LOOK: u64 = 50_000;
 
-/// The number of parameter samples at which the special elements of each kind are counted.
+/// The number of parameter samples at which special elements are counted.
 const LOOKS: usize = 4;
 
 /// Finds the special elements whose coefficients are rational functions of the parameters and ε.
-/// Factors of these elements may have coefficients in a larger field. Elements that are too
-/// expensive to reconstruct are missing.
+/// Elements that are too expensive to reconstruct are missing.
 pub(crate) fn special_members(
     searched: &SearchField,
     numerator: &Polynomial,
@@ -67,8 +65,7 @@ pub(crate) fn special_members(
     members(searched, &monomials, pair)
 }
 
-/// Like [`special_members`]. The function `pair` returns P and Q at values of the unknowns modulo a
-/// prime.
+/// Finds special elements, where `pair` returns P and Q at values of the unknowns.
 pub(crate) fn members(
     searched: &SearchField,
     monomials: &Monomials,
@@ -120,8 +117,7 @@ pub(crate) fn members(
     let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         special(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
-    // The number of elements of each kind at each sample. Elements with irrational c may be
-    // missing.
+    // Counts the elements of each kind at each sample. Elements with irrational c may be missing.
     let mut kinds: Vec<(MemberProperties, Vec<usize>)> = Vec::new();
     for look in 0..LOOKS {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -147,8 +143,7 @@ pub(crate) fn members(
     found
 }
 
-/// Returns the polynomial that lies in the spans of both pairs, if the intersection of the spans is
-/// a line.
+/// Returns the polynomial in the spans of both pairs, if the spans intersect in a line.
 fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
     let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
     let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
@@ -157,7 +152,7 @@ fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Opt
     Some((0..here[0].len()).map(own).collect())
 }
 
-/// Properties of a special element F that do not depend on the parameters.
+/// Properties of a special element F that are equal at all parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct MemberProperties {
     multiplicity: usize,
@@ -168,8 +163,7 @@ struct MemberProperties {
     support: Vec<usize>,
 }
 
-/// Returns the elements P + cQ, with c in the prime field, that factor or have lower degree at one
-/// sample.
+/// Returns the elements P + cQ at one sample that factor or have lower degree.
 fn special(
     modulus: &Modulus,
     monomials: &Monomials,
@@ -180,8 +174,7 @@ fn special(
         let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
         left.iter().zip(right).map(sum).collect()
     };
-    // Replace P and Q by a random basis of the pencil P + cQ. Then no special element of the pencil
-    // has c = ∞.
+    // In a random basis of the elements P + cQ, no special element has c = ∞.
     let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
     let degree = monomials.degree() as usize;
     let plane = Plane::random(*modulus, monomials, random);
@@ -189,7 +182,7 @@ fn special(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // If F lacks the term sᵈ, ∇F is a solution again. The value of c with this F is divided out.
+    // If F lacks the term sᵈ, ∇F is a solution again. This value of c is divided out.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;
@@ -222,14 +215,14 @@ fn special(
     Some(found)
 }
 
-/// A random plane in the space of the states. Each state is an affine function of s and t on it.
+/// A random plane in the space of the states, on which each state is an affine function of s and t.
 struct Plane<'a> {
     modulus: Modulus,
     monomials: &'a Monomials,
     powers: Vec<Vec<Vec<u64>>>,
 }
 
-/// Returns the index of the monomial sᵃtᵇ among the coefficients of a polynomial of this degree.
+/// Returns the index of the coefficient of sᵃtᵇ in a polynomial of this degree.
 fn place(degree: usize, a: usize, b: usize) -> usize {
     a * (degree + 1) + b
 }
@@ -282,14 +275,13 @@ impl<'a> Plane<'a> {
     }
 }
 
-/// Returns the polynomial whose roots are the c for which the equations with matrix p + cq have
-/// solutions. The coefficients of the polynomial are residues, with the constant term first. Each
-/// row of `p` and `q` belongs to one unknown.
+/// Returns the polynomial whose roots are the c for which the equations with the matrix p + cq have
+/// solutions. Coefficients are residues, with the constant term first.
 fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
     let columns = p.len();
     let mut determinants = Vec::new();
     for _ in 0..2 {
-        // Combine the equations at random, one combination for each unknown, into rows (Q | P).
+        // Each row is a random combination of the equations, as (Q | P).
         let mixed = (0..columns).map(|_| {
             let mixer: Vec<u64> = (0..p[0].len()).map(|_| modulus.sample(random)).collect();
             q.iter().chain(p).map(|column| modulus.dot(&mixer, column)).collect()
@@ -306,8 +298,8 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
     Some(gcd(modulus.field(), &determinants[0], &determinants[1]))
 }
 
-/// Returns the coefficients of det(λ − M), lowest first, from Hessenberg's form of M. Source:
-/// Cohen, A Course in Computational Algebraic Number Theory, 1993, algorithm 2.2.9.
+/// Returns the coefficients of det(λ − M), lowest first, from Hessenberg's form of M (Cohen, A
+/// Course in Computational Algebraic Number Theory, 1993, algorithm 2.2.9).
 fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
     let size = rows.len();
     for column in 1..size.max(1) {
@@ -325,12 +317,11 @@ fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
             }
             factors.push(factor);
         }
-        // The inverse operation on columns keeps the matrix similar to M.
         for row in &mut rows {
             row[column] = modulus.plus(row[column], modulus.dot(&factors, &row[column + 1..]));
         }
     }
-    // The characteristic polynomials of the leading submatrices.
+    // The entries are the characteristic polynomials of the leading submatrices.
     let mut leading = vec![vec![modulus.one()]];
     for last in 0..size {
         let before = &leading[last];
@@ -394,7 +385,7 @@ mod tests {
         (searched, system.field.symbols.clone(), sides.collect())
     }
 
-    /// Three of the conics factor, two of them for irrational c. One of the cubics factors.
+    /// Tests three conics that factor, two of them for irrational c, and a cubic that factors.
     #[test]
     fn the_member_that_falls_apart_is_found() {
         for (product, other) in [
@@ -417,7 +408,6 @@ mod tests {
         assert!(special_members(&searched, &sides[0], &sides[1]).contains(&tidy(&symbols, &sides[2])));
     }
 
-    /// Tests the companion matrix of λ⁴ − 2λ³ − 3λ² + 5, a matrix of two blocks, and a full matrix.
     #[test]
     fn characteristic_polynomials_are_right() {
         let modulus = Modulus::mersenne_61();

@@ -1,7 +1,6 @@
-//! Rational integrals. The search finds them as null vectors of relations ([`search`]), among
-//! coefficients of relations (`relation_coefficients`), and as special elements P + cQ of pencils
-//! (`members`). The integrals are reconstructed over ℚ ([`reconstructed`]), simplified, proved, and
-//! tested for independence (`accepted`).
+//! Rational integrals. The search finds integrals as relations of orbits ([`search`]), coefficients
+//! of relations (`relation_coefficients`), and special elements of pencils (`members`). The
+//! integrals are reconstructed over ℚ ([`reconstructed`]), simplified and proved (`accepted`).
 
 pub(crate) mod accepted;
 pub mod composition;

@@ -1,26 +1,26 @@
 //! Finds the sign changes of states that map orbits to orbits.
 //!
-//! Let f(Sx) = ±S f(x) with S = diag(±1). Then the map φ satisfies φ(Sx) = Sφ(x) at ε or −ε.
-//! Therefore S maps the closure of the orbit of x to the closure of the orbit of Sx. A coefficient
-//! of the reduced relations then changes by the signs of two monomials: its own and the leading
-//! one. So if P/Q equals this coefficient, P and Q can be restricted to monomials of one sign each.
+//! Let f(Sx) = ±S f(x) with S = diag(±1). Then the map φ satisfies φ(Sx) = Sφ(x) at ε or −ε, and S
+//! maps the closure of an orbit to the closure of another orbit. A coefficient of a reduced
+//! relation changes by the sign of its own monomial times the sign of the leading monomial. If the
+//! coefficient equals P/Q, P and Q need monomials of only one sign each.
 
 /// The most generators of sign changes that are returned.
 const MOST: usize = 8;
 
-/// The condition that a term xⱼxₖ, xⱼ or 1 of component i sets on sign changes. The condition is
-/// stored as a bit set: the sum over F₂ of the unit vectors of i, j and k.
+/// The sign condition of a term xⱼxₖ, xⱼ or 1 of component i, as a bit set: the sum over F₂ of the
+/// unit vectors of i, j and k.
 pub type TermSigns = u64;
 
-/// Returns generators of the sign changes S, each as a bit set of states. `terms` holds all terms
-/// of a field in `states` states. Above 63 states the list is empty.
+/// Returns generators of the sign changes of states, each as a bit set. `terms` holds all terms of
+/// a field in `states` states. Above 63 states the list is empty.
 #[must_use]
 pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     if states > 63 {
         return Vec::new();
     }
-    // A sign change with signs sᵢ of the states and σ of time must satisfy σ·sᵢ = sⱼsₖ for each
-    // term. The condition is linear over F₂ in the bits of s and σ; the bit of σ is last.
+    // Signs sᵢ of the states and σ of time must satisfy σ·sᵢ = sⱼsₖ for each term. The condition is
+    // linear over F₂, and the bit of σ is last.
     let time = 1u64 << states;
     let mut rows: Vec<u64> = terms.iter().map(|term| term | time).collect();
     let mut pivots: Vec<(usize, u64)> = Vec::new();
@@ -57,8 +57,7 @@ mod tests {
 
     #[test]
     fn the_euler_top_has_three_sign_changes() {
-        // For ẋ = yz, ẏ = zx, ż = xy all conditions are that of xyz, so each state may change its
-        // sign together with time.
+        // For ẋ = yz, ẏ = zx, ż = xy each state may change its sign together with time.
         let generators = sign_changes(3, &[0b111; 3]);
         assert_eq!(generators.len(), 3);
         assert_eq!(character(&generators, &[2, 0, 4]), 0);

@@ -1,5 +1,4 @@
-//! Spaces of polynomials whose quotients are integrals, and the evaluation of these spaces at other
-//! parameters.
+//! Pencils: spaces of polynomials whose quotients are integrals.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -20,7 +19,7 @@ pub(crate) const SPARE: usize = 4;
 pub struct Pencil {
     /// The degree of the polynomials.
     pub degree: u32,
-    /// The space of polynomials. Quotients of its elements are integrals.
+    /// The space of polynomials.
     pub space: PolynomialSpace,
     pub(crate) source: Source,
 }
@@ -30,7 +29,8 @@ pub struct Pencil {
 pub(crate) enum Source {
     /// The span of the relations on several orbits.
     Span,
-    /// Numerators and denominators of coefficients of relations; the coefficients are integrals.
+    /// The numerators and denominators of coefficients of relations. The coefficients are
+    /// integrals.
     Entries { relation_degree: u32, entries: Vec<PencilEntry> },
 }
 
@@ -46,9 +46,8 @@ pub(crate) struct PencilEntry {
 }
 
 impl PencilEntry {
-    /// Finds P and Q with c = P/Q from starts of orbits, where c is a coefficient of the orbit's
-    /// relations. Solves P − cQ = 0 at all starts. `None` unless the solution is unique and found
-    /// before the deadline.
+    /// Finds the quotient P/Q that equals this coefficient at the starts of all orbits. Returns
+    /// `None` unless the solution is unique.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,
@@ -74,8 +73,8 @@ impl PencilEntry {
 }
 
 impl Pencil {
-    /// Returns the pencil's space of polynomials at the parameters and ε of `map`. Returns `None`
-    /// if the space has another form there, the map is undefined, or the deadline passes.
+    /// Returns the space at the parameters and ε of `map`. Returns `None` if the space has another
+    /// form there, the map is undefined, or the deadline passes.
     pub fn at(
         &self,
         map: &impl ModularStep,
@@ -110,8 +109,7 @@ impl Pencil {
         PolynomialSpace::of_form(&modulus, form, vectors)
     }
 
-    /// Returns the span of the relations of two orbits on the pencil's monomials. `None` if the
-    /// span is not the pencil's space.
+    /// Returns the span of the relations of two orbits on the pencil's monomials.
     fn span_at(
         &self,
         map: &impl ModularStep,

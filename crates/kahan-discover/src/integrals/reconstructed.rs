@@ -21,10 +21,10 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 use crate::orbits::hilbert::Hilbert;
 
-/// The degree up to which integrals are searched at least, if the number of coefficients allows it.
+/// The degree up to which integrals are searched if the number of coefficients allows it.
 const HIGHEST: u32 = 8;
 
-/// The number of monomials up to which all orders of the variables are tried.
+/// The most monomials for which all orders of the variables are tried.
 const CHEAP: usize = 100;
 
 /// The inputs and limits of a search.
@@ -33,13 +33,12 @@ pub struct SearchGoals<'a> {
     pub proved: &'a [Formula],
     /// Polynomial integrals of the flow that the map preserves.
     pub kept: &'a [Polynomial],
-    /// Integrals P/Q, and a deadline. Each integral is accepted once the search has passed its
-    /// degree. The remaining integrals are accepted before the deadline.
+    /// Integrals P/Q that are accepted after the search of their degree, or else before this
+    /// deadline.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
-    /// The number and degrees of integrals that orbits show. `None` prevents a search.
+    /// The number and degrees of integrals that orbits show, or `None` to prevent a search.
     pub hilbert: Option<&'a Hilbert>,
-    /// Known integrals P/Q. Each is accepted unless the search finds other integrals of lower
-    /// degree.
+    /// Known integrals P/Q, accepted unless the search finds others of lower degree.
     pub known: &'a [(Polynomial, Polynomial)],
     /// The limits on the size of formulas.
     pub reach: FormulaLimits,
@@ -47,8 +46,8 @@ pub struct SearchGoals<'a> {
     pub tell: &'a dyn Fn(&Formula),
 }
 
-/// Finds and proves independent integrals over ℚ(parameters, ε), of least degree first. Stops at
-/// the number of integrals that orbits show, or at the deadline.
+/// Finds and proves independent integrals over ℚ(parameters, ε), of least degree first. The search
+/// ends at the number of integrals that orbits show, or at the deadline.
 pub fn integrals(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -76,7 +75,7 @@ pub fn integrals(
     }
     let (further, end) = aims.further;
     if !further.is_empty() && !end.passed() {
-        // Accept known integrals even beyond the number of integrals that orbits show.
+        // Known integrals may exceed the number of integrals that orbits show.
         collector.wanted = usize::MAX;
         collector.offer_further(u32::MAX);
     }
@@ -183,8 +182,7 @@ impl Accepted<'_> {
         bases
     }
 
-    /// Returns special elements P + cQ of a pencil in all states as its basis, if at least two are
-    /// found.
+    /// Returns a basis of special elements P + cQ of a pencil, if at least two are found.
     fn special_basis(
         &self,
         pencil: &Pencil,
@@ -207,8 +205,8 @@ impl Accepted<'_> {
         (members.len() > 1).then_some(members)
     }
 
-    /// Accepts the quotients of all elements of a basis by its simplest element that does not
-    /// vanish on the level set.
+    /// Accepts the quotients of all basis elements by the simplest element that does not vanish on
+    /// the level set.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();

@@ -1,9 +1,8 @@
-//! Simplifies integrals P/Q. The numerator's difference from a multiple of a known product cancels
-//! a factor of Q.
+//! Simplifies integrals P/Q by subtraction of a known product from the numerator.
 //!
-//! Two polynomials with equal cofactors have an integral as their quotient. Let M be a product of
-//! factors of known integrals that has the cofactor of Q. If P and M are proportional on the zeros
-//! of a factor q of Q, some combination αP − βM is divisible by q.
+//! Let M be a product of factors of known integrals that has the cofactor of Q. Then M/Q is an
+//! integral. If P and M are proportional on the zeros of a factor q of Q, some combination αP − βM
+//! is divisible by q.
 
 use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
@@ -14,7 +13,7 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
 use crate::modular::subspace::tidy;
 
-/// Cancels factors of the denominator as often as possible, using `factors` of known integrals.
+/// Cancels factors of the denominator as often as possible, with `factors` of known integrals.
 pub(crate) fn reduced(
     searched: &SearchField,
     step: &SampledStep,
@@ -49,7 +48,6 @@ fn without_factor(
     let moves = moving_states(searched, step, factors);
     for pole in &poles {
         for variable in pole.variables().into_iter().filter(|&variable| symbols.is_state(variable)) {
-            // Returns scale · P modulo the factor q, and the number `scale`.
             let rest = |polynomial: &Polynomial| {
                 let written = in_powers(symbols, polynomial, pole, variable)?;
                 let rest = written.sum.coefficients_in(written.fresh).remove(&0)?;
@@ -96,8 +94,7 @@ fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
     common.scale(&polynomial.content().checked_div(&common.content()).unwrap_or_else(Rational::one))
 }
 
-/// Returns products of factors that have the denominator's cofactor, and at most the numerator's
-/// degree.
+/// Returns products of factors with the denominator's cofactor and at most the numerator's degree.
 fn products(
     searched: &SearchField,
     step: &SampledStep,
@@ -136,8 +133,7 @@ mod tests {
 
     #[test]
     fn what_other_integrals_add_to_a_pole_is_taken_away() {
-        // The lattice has the integral xz/((1 + ε(y − w))(1 − ε(y − w))), and the sum of the
-        // states.
+        // The lattice has the integrals xz/((1 + ε(y − w))(1 − ε(y − w))) and x + y + z + w.
         let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
         let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let symbols = &field.symbols;

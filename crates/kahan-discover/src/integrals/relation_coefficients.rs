@@ -1,7 +1,7 @@
 //! Finds integrals among the coefficients of reduced relations of orbits.
 //!
-//! Relations may mix several integrals. Each coefficient c of a reduced relation is still an
-//! integral. The condition c = P/Q at the starts of many orbits is a linear system for P and Q.
+//! Each coefficient c of a reduced relation is an integral, even if relations mix several
+//! integrals. The condition c = P/Q at the starts of many orbits is a linear system for P and Q.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -15,7 +15,7 @@ use crate::modular::subspace::PolynomialSpace;
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
-/// Searches coefficients of relations that are quotients P/Q of polynomials of one degree.
+/// Searches coefficients of relations that are quotients P/Q of polynomials of this degree.
 pub(crate) fn entries_of_degree<M: ModularStep>(
     search: &mut Search<'_, M>,
     relation_degree: u32,
@@ -27,8 +27,7 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
     let modulus = map.modulus();
     let n = map.dimension();
     let monomials = Monomials::new(n, relation_degree);
-    // The signs of the coefficient under sign changes of states exclude most monomials of high
-    // degree from P and Q.
+    // Sign changes of states exclude most monomials of high degree from P and Q.
     let generators = map.sign_changes();
     if Monomials::count(n, degree) > reach.coefficients << generators.len() {
         return;
@@ -51,13 +50,13 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
     let invariant = of_sign(0);
     let widest = places.iter().map(|&place| of_sign(sign_of(place)).len()).max().unwrap_or(0);
     let width = invariant.len() + widest;
-    // If this degree adds no monomials of these signs, the search of lower degrees was sufficient.
+    // Without new monomials of these signs, the search of lower degrees was sufficient.
     let is_new = (unknown.up_to(degree - 1)..unknown.len())
         .any(|index| signs[index] == 0 || places.iter().any(|&place| sign_of(place) == signs[index]));
     if width > reach.coefficients || !is_new {
         return;
     }
-    // All relations of all orbits may exceed the memory, so drop the relations that are not needed.
+    // All relations of all orbits may exceed the memory.
     let keep_looked_at = |relations: &mut Relations| {
         relations.vectors.retain(|vector| places.iter().any(|&(leading, _)| leading == vector.free));
     };
@@ -93,8 +92,8 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
     }
 }
 
-/// Returns the positions of coefficients that vary with the orbit. The leading monomial of their
-/// relation is divisible by no other leading monomial.
+/// Returns the positions of coefficients that vary with the orbit. The leading monomials of their
+/// relations are divisible by no other leading monomial.
 fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usize)> {
     let [first, second, ..] = orbits else { return Vec::new() };
     let divides = |a: usize, b: usize| {
@@ -116,7 +115,7 @@ fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usiz
     places
 }
 
-/// Merges pencils of equal degree whose elements P have the same cofactor P(φ(x))/P(x).
+/// Merges pencils of equal degree whose elements P have equal cofactors P(φ(x))/P(x).
 fn merge_by_cofactor(
     map: &impl ModularStep,
     monomials: &Monomials,

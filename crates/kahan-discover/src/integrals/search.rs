@@ -1,9 +1,9 @@
 //! Finds rational integrals from the polynomial relations of orbits.
 //!
-//! Let U be a space of polynomials whose quotients are all integrals, so that all cofactors are
-//! equal. An element of U vanishes on an orbit if it vanishes at the orbit's start. These elements
-//! are a subspace of codimension 1. Conversely, if the relations of all orbits span a space of one
-//! dimension more than the relations of one orbit, then all quotients in this span are integrals.
+//! Let U be a space of polynomials whose quotients are integrals. An element of U vanishes on an
+//! orbit if it vanishes at the orbit's start, so the relations of one orbit have codimension 1 in
+//! U. Conversely, suppose that the relations of all orbits span one dimension more than the
+//! relations of one orbit. Then all quotients in this span are integrals.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -23,8 +23,7 @@ use crate::orbits::relations::{gradient, monomial_gradients};
 pub struct FormulaLimits {
     /// The most unknown coefficients of numerator and denominator together.
     pub coefficients: usize,
-    /// The most monomials in the states of a pencil's shortest polynomial. All quotients of a
-    /// pencil's polynomials are integrals.
+    /// The most monomials in the shortest polynomial of a [`Pencil`].
     pub terms: usize,
     /// The most orders of the variables to try for relations with many monomials.
     pub orders: usize,
@@ -34,13 +33,13 @@ impl FormulaLimits {
     /// The largest limits on formulas.
     pub const FULL: Self = FormulaLimits { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
 
-    /// Limits for readable formulas, for searches in which bases describe the other integrals.
+    /// The limits on readable formulas, for searches in which bases describe all other integrals.
     pub const SHORT: Self = FormulaLimits { coefficients: 300, terms: 60, orders: 2 };
 }
 
-/// Finds pencils, which are spaces of polynomials whose quotients are integrals. Each space is
-/// spanned by relations, which are polynomials that vanish on an orbit. The degrees ascend up to
-/// `relation_degree`. The search stops at `wanted` independent integrals.
+/// Finds spaces of polynomials whose quotients are integrals, as spans of relations of orbits.
+///
+/// The degrees ascend up to `relation_degree`. The search stops at `wanted` independent integrals.
 pub fn spanned_pencils<M: ModularStep>(
     map: &M,
     relation_degree: u32,
@@ -60,12 +59,11 @@ pub fn spanned_pencils<M: ModularStep>(
     search.pencils
 }
 
-/// Finds pencils of exactly this degree in which coefficients of relations are quotients P/Q.
+/// Finds [`Pencil`]s of exactly this degree in which coefficients of relations are quotients P/Q.
 ///
-/// Returns the pencils with integrals independent of the functions whose gradients `known` returns
-/// at a point. The list is empty if the deadline passes. For P and Q with N monomials each, the
-/// search needs 2N orbits, and (2N)³ products for each coefficient of the relations up to
-/// `relation_degree`.
+/// The integrals are independent of the functions whose gradients at a point `known` returns. The
+/// list is empty if the deadline passes. For P and Q with N monomials each, the search needs 2N
+/// orbits, and (2N)³ products for each coefficient of a relation.
 pub fn pencils_of_entries<M: ModularStep>(
     map: &M,
     relation_degree: u32,
@@ -99,8 +97,7 @@ impl<'a, M: ModularStep> Search<'a, M> {
         Echelon::of(self.map.modulus(), self.gradients.clone(), self.map.dimension()).rank()
     }
 
-    /// Accepts a pencil if the pencil has an integral that is independent of the accepted
-    /// integrals.
+    /// Accepts a pencil with an integral that is independent of the accepted integrals.
     pub(crate) fn offer(&mut self, pencil: Pencil) {
         let before = self.rank();
         let known = self.gradients.len();
@@ -114,8 +111,7 @@ impl<'a, M: ModularStep> Search<'a, M> {
     }
 }
 
-/// Divides each element of a space by the first element. Returns the gradients of these quotients,
-/// up to factors.
+/// Returns the gradients of the quotients of all elements by the first element, up to factors.
 #[must_use]
 pub fn quotient_gradients(
     modulus: &Modulus,
@@ -132,7 +128,7 @@ pub fn quotient_gradients(
         })
         .collect();
     let Some(((base, base_slope), others)) = evaluated.split_first() else { return Vec::new() };
-    // Use ∇(P/Q) Q² = Q ∇P − P ∇Q.
+    // The gradient of a quotient satisfies ∇(P/Q) Q² = Q ∇P − P ∇Q.
     let quotient = |(value, slope): &(u64, Vec<u64>)| {
         let pairs = slope.iter().zip(base_slope);
         pairs
@@ -142,8 +138,8 @@ pub fn quotient_gradients(
     others.iter().map(quotient).collect()
 }
 
-/// Returns the span of the relations of all orbits. `None` unless the relations of one orbit have
-/// one dimension less.
+/// Returns the span of the relations of all orbits. Returns `None` unless the relations of one
+/// orbit have one dimension less.
 fn span_of_relations(
     map: &impl ModularStep,
     degree: u32,

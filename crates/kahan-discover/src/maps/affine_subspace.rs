@@ -1,10 +1,10 @@
-//! Affine level sets. Linear relations confine an orbit to such a set, where fewer variables
-//! suffice.
+//! Affine level sets, which linear relations of orbits define.
 //!
-//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace. The
-//! varying coefficients c₁, c₂, … of these relations are integrals, and become unknowns. On one
-//! level set, other integrals are not mixed with multiples of the linear relations. Formulas found
-//! there hold everywhere once each cⱼ is replaced by its own formula.
+//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace with fewer
+//! variables. The varying coefficients c₁, c₂, … of these relations are integrals, and become
+//! unknowns. On one level set, other integrals are not mixed with multiples of the linear
+//! relations. A formula on a level set holds everywhere once each cⱼ is replaced by its own
+//! formula.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -26,20 +26,18 @@ use crate::orbits::hilbert::random_relations;
 /// The coordinates on an affine level set, and the varying coefficients of the linear relations.
 #[derive(Clone, Debug)]
 pub struct AffineSubspace {
-    /// The positions of the varying coefficients. Each is given with the leading monomial of its
-    /// relation.
+    /// The positions of the varying coefficients, each with the leading monomial of its relation.
     places: Vec<(usize, usize)>,
-    /// The states that serve as coordinates. The last state is the lowest in the order of
-    /// monomials.
+    /// The states that serve as coordinates.
     order: Vec<usize>,
 }
 
 /// The formula cⱼ = Pⱼ/Qⱼ of a coefficient that defines the level set.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
-    /// The numerator Pⱼ of the formula.
+    /// The numerator Pⱼ.
     pub numerator: Polynomial,
-    /// The denominator Qⱼ of the formula.
+    /// The denominator Qⱼ.
     pub denominator: Polynomial,
 }
 
@@ -48,7 +46,7 @@ pub struct Coordinate {
 pub struct MapOnSubspace {
     map: ModularMap,
     order: Vec<usize>,
-    /// Each state that is no coordinate, with its coefficients of 1 and of the coordinates.
+    /// The states that are no coordinates, with their coefficients of 1 and of the coordinates.
     leading: Vec<(usize, Vec<u64>)>,
 }
 
@@ -70,8 +68,8 @@ impl AffineSubspace {
         AffineSubspace { places: Vec::new(), order }
     }
 
-    /// Returns the affine level sets of a map. The result is the whole space if there are no linear
-    /// relations, or if their coefficients cannot be chosen independently.
+    /// Returns the affine level sets of a map. The result is the whole space if no linear relations
+    /// exist, or if the coefficients are dependent.
     pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
         let n = map.dimension();
         let whole = AffineSubspace::whole((0..n).collect());
@@ -96,7 +94,7 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // Check that an orbit on the level set of random coefficients shows these coefficients.
+        // An orbit on the level set of random coefficients must show these coefficients.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));
@@ -137,8 +135,8 @@ impl AffineSubspace {
         &self.order
     }
 
-    /// Returns the map on the level set with these coefficients. `None` if relations have another
-    /// form.
+    /// Returns the map on the level set with these coefficients. Returns `None` if the relations
+    /// have another form.
     pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<MapOnSubspace> {
         let modulus = *map.modulus();
         let n = map.dimension();
@@ -169,8 +167,7 @@ impl AffineSubspace {
         Some(MapOnSubspace { map, order: self.order.clone(), leading })
     }
 
-    /// Reconstructs the formulas of the coefficients cⱼ, if they are quotients of polynomials of
-    /// degree 1.
+    /// Reconstructs the formulas of the coefficients cⱼ as quotients of polynomials of degree 1.
     pub fn coordinates(
         &self,
         searched: &SearchField,
@@ -197,7 +194,6 @@ impl AffineSubspace {
                 Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
             };
             let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
-            // Multiplication by a common denominator of all coefficients makes P and Q polynomials.
             let (entries, _) = RationalFunction::over_common(&entries);
             let (above, below) = entries.split_at(linear.len());
             let [numerator, denominator] =
@@ -209,7 +205,7 @@ impl AffineSubspace {
 }
 
 impl MapOnSubspace {
-    /// Returns the point of the whole space that has these coordinates on the level set.
+    /// Returns the point of the whole space with these coordinates on the level set.
     #[must_use]
     pub fn embed(&self, point: &[u64]) -> Vec<u64> {
         let modulus = self.map.modulus();
@@ -233,7 +229,7 @@ impl ModularStep for MapOnSubspace {
         self.order.len()
     }
 
-    /// Returns the sign changes of states on the whole space. None are known on a proper level set.
+    /// Returns the sign changes of states on the whole space, and none on a proper level set.
     fn sign_changes(&self) -> Vec<u64> {
         if self.order.len() < self.map.dimension() {
             return Vec::new();

@@ -1,5 +1,4 @@
-//! Affine level sets with formulas for the constants that define them. With these formulas, a
-//! formula on a level set becomes one in all states.
+//! Affine level sets with formulas for the constants that define them.
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
@@ -16,7 +15,7 @@ const SUBSTITUTION_WORK: u64 = 20_000_000;
 pub struct Chart {
     /// The level set.
     pub leaf: AffineSubspace,
-    /// The formulas in the order of the constants. The value of an integral, if any, comes last.
+    /// The formulas in the order of the constants. The value of a further integral comes last.
     pub coordinates: Vec<Coordinate>,
 }
 
@@ -38,8 +37,8 @@ impl Chart {
         names
     }
 
-    /// Returns P/Q in lowest terms, with formulas in place of the constants. `None` beyond the
-    /// budget, and for Q = 0.
+    /// Returns P/Q in lowest terms with the formulas in place of the constants. Returns `None`
+    /// beyond the budget, and for Q = 0.
     #[must_use]
     pub fn substituted(
         &self,

@@ -1,8 +1,8 @@
 //! Restricts orbits to a level set of a known integral.
 //!
-//! Suppose that relations mix several integrals, and that one integral F = P/Q is known. Then
-//! starts of orbits are sampled on P − cQ = 0, with the value c of F as a further unknown.
-//! Relations of these orbits mix one integral less.
+//! Suppose that relations mix several integrals, and that one integral F = P/Q is known. Orbits
+//! that start on P − cQ = 0 have relations that mix one integral less. The value c of F is an
+//! unknown.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{Random, SplitMix64};
@@ -19,13 +19,12 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 
-/// The polynomial P − cQ: coefficients of monomials, each of which is a polynomial in the unknowns.
+/// The polynomial P − cQ. The coefficient of each monomial is a polynomial in the unknowns.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     monomials: Monomials,
     coefficients: Vec<(Polynomial, Polynomial)>,
-    /// The index of a coordinate in which P and Q are linear. The equation P − cQ = 0 is solved for
-    /// it.
+    /// The index of the coordinate for which P − cQ = 0 is solved. P and Q are linear in it.
     linear: usize,
 }
 
@@ -38,8 +37,8 @@ pub struct ConstrainedMap<'a> {
 }
 
 impl Constraint {
-    /// Prepares the integral P/Q, which is given by coefficients. `None` if no coordinate is linear
-    /// in both P and Q.
+    /// Prepares the integral P/Q from its coefficients. Returns `None` if no coordinate is linear
+    /// in P and Q.
     #[must_use]
     pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
         let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());
@@ -51,8 +50,8 @@ impl Constraint {
         Some(Constraint { monomials, coefficients, linear })
     }
 
-    /// Returns the map on the level set F = `value`. `None` if a coefficient is undefined modulo
-    /// the prime.
+    /// Returns the map on the level set F = `value`. Returns `None` if a coefficient is undefined
+    /// modulo the prime.
     #[must_use]
     pub fn on(
         &self,
@@ -108,7 +107,7 @@ impl ModularStep for ConstrainedMap<'_> {
 }
 
 impl Accepted<'_> {
-    /// Searches on a level set of an integral, which is the quotient of the first two basis
+    /// Searches on a level set of the integral that is the quotient of the first two basis
     /// elements.
     pub(crate) fn search_constrained(
         &mut self,

@@ -1,8 +1,7 @@
-//! Kahan's map modulo a prime. Parameters and ε are residues.
+//! Kahan's map modulo a prime, with residues as parameters and ε.
 //!
-//! A [`ParametricField`](crate::maps::parametric_field::ParametricField) makes the map at values of
-//! the parameters. A step is an elimination on the matrix A(x,ε) = I − ε f′(x). Removable poles
-//! count as poles; random points almost never hit one.
+//! A step is an elimination on the matrix A(x,ε) = I − ε f′(x). Removable poles count as poles, but
+//! random points almost never hit one.
 
 use crate::integrals::parity::sign_changes;
 use crate::maps::modular_step::ModularStep;
@@ -23,8 +22,7 @@ pub(crate) struct Term {
 pub struct Step {
     /// The next point x̃.
     pub next: Vec<u64>,
-    /// The determinant of the Jacobian, det ∂x̃/∂x = det A(x̃,−ε) / det A(x,ε), with A(x,ε) = I − ε
-    /// f′(x).
+    /// The Jacobian determinant det ∂x̃/∂x = det A(x̃,−ε) / det A(x,ε), with A(x,ε) = I − ε f′(x).
     pub jacobian: u64,
 }
 
@@ -74,7 +72,7 @@ impl ModularMap {
         ModularMap { eps, ..self.clone() }
     }
 
-    /// Returns x̃ and the determinant of the Jacobian. `None` at a pole, where I − ε f′(x) is
+    /// Returns x̃ and the Jacobian determinant. Returns `None` at a pole, where I − ε f′(x) is
     /// singular.
     #[must_use]
     pub fn step(&self, point: &[u64]) -> Option<Step> {
@@ -87,8 +85,8 @@ impl ModularMap {
         Some(Step { next, jacobian })
     }
 
-    /// Returns ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε), row by row, with A(x,ε) = I − ε f′(x). `None` where
-    /// A(x,ε) is singular.
+    /// Returns ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε) row by row, with A(x,ε) = I − ε f′(x). Returns `None`
+    /// where A(x,ε) is singular.
     #[must_use]
     pub fn jacobian(&self, point: &[u64], next: &[u64]) -> Option<Vec<Vec<u64>>> {
         let n = self.dimension;
@@ -109,7 +107,7 @@ impl ModularMap {
         self.solve(point, eps).map_or(0, |(_, determinant)| determinant)
     }
 
-    /// Returns the field f(x), and its Jacobian matrix f′(x) row by row.
+    /// Returns the field f(x), and the Jacobian matrix f′(x) row by row.
     #[must_use]
     pub fn field(&self, point: &[u64]) -> (Vec<u64>, Vec<Vec<u64>>) {
         let n = self.dimension;
@@ -166,14 +164,12 @@ impl ModularMap {
         matrix
     }
 
-    /// Returns x̃ = x + 2ε A⁻¹f and det A for A = I − ε f′(x). The elimination has no divisions,
-    /// and one inversion follows it.
+    /// Returns x̃ = x + 2ε A⁻¹f and det A for A = I − ε f′(x). The elimination needs one inversion.
     fn solve(&self, point: &[u64], eps: u64) -> Option<(Vec<u64>, u64)> {
         let (modulus, n) = (&self.modulus, self.dimension);
         let width = n + 1;
         let mut matrix = self.extended_matrix(point, eps);
         let mut is_negative = false;
-        // For each pivot, the number of rows that it multiplies.
         let mut multiplied = vec![0u32; n];
         for k in 0..n {
             let found = (k..n).find(|&row| matrix[row * width + k] != 0)?;

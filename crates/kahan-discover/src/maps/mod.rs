@@ -1,5 +1,5 @@
-//! The maps of a search: Kahan's map modulo a prime, with fixed or generic parameters and ε. Some
-//! maps are restricted to an affine subspace or to a level set of an integral.
+//! The maps of a search: Kahan's map modulo a prime, and its restrictions to affine subspaces and
+//! level sets of integrals.
 
 pub mod affine_subspace;
 pub mod chart;

@@ -12,11 +12,11 @@ pub trait ModularStep {
     /// Returns the number of states n.
     fn dimension(&self) -> usize;
 
-    /// Returns the image of a point. `None` at a pole.
+    /// Returns the image of a point, or `None` at a pole.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
 
-    /// Returns generators of the sign changes of states that map orbits to orbits. Each generator
-    /// is a bit set of states.
+    /// Returns generators of the sign changes of states that map orbits to orbits, as bit sets of
+    /// states.
     fn sign_changes(&self) -> Vec<u64> {
         Vec::new()
     }
@@ -26,8 +26,7 @@ pub trait ModularStep {
         (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
     }
 
-    /// Returns the orbit of `length` points that begins with `start`. An orbit that ends at a pole
-    /// is shorter.
+    /// Returns the orbit of `length` points from `start`. The orbit is shorter if it meets a pole.
     fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
         let mut orbit = vec![start];
         while orbit.len() < length {

@@ -1,5 +1,4 @@
-//! Fields whose coefficients are polynomials in the parameters and ε, and their values modulo a
-//! prime.
+//! Fields whose coefficients are polynomials in the parameters and ε.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -62,14 +61,13 @@ impl ParametricField {
         coefficients.chain(&self.divisors).any(|of| of.contains(self.symbols.epsilon()))
     }
 
-    /// Returns whether the field is defined at ε = 0 for generic parameters. At special parameters
-    /// the field may be undefined, as 1/(a + ε²) is at a = 0.
+    /// Returns whether the field is defined at ε = 0 for generic parameters.
     pub(crate) fn has_limit(&self) -> bool {
         let epsilon = self.symbols.epsilon();
         self.divisors.iter().all(|divisor| !divisor.substitute(epsilon, &Rational::zero()).is_zero())
     }
 
-    /// Returns the map at these parameters and ε (half the time step). `None` if a divisor
+    /// Returns the map at these parameters and ε, half the time step. Returns `None` if a divisor
     /// vanishes.
     ///
     /// # Panics
@@ -100,7 +98,7 @@ impl ParametricField {
     }
 }
 
-/// Evaluates a polynomial. `None` if the prime divides a denominator of the coefficients.
+/// Evaluates a polynomial. Returns `None` if the prime divides a denominator of the coefficients.
 pub(crate) fn evaluate(
     modulus: &Modulus,
     polynomial: &Polynomial,

@@ -1,5 +1,5 @@
 //! Fields with fixed or generic ε, and their maps at random values of the unknowns: the parameters,
-//! and ε unless it is fixed.
+//! and a generic ε.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -13,7 +13,7 @@ use crate::maps::parametric_field::{ParametricField, evaluate};
 use crate::modular::modulus::Modulus;
 use crate::modular::weights::Weights;
 
-/// A field with fixed or generic ε. The value of ε is stored if it is fixed.
+/// A field with a fixed or generic ε.
 #[derive(Clone, Debug)]
 pub struct SearchField {
     family: ParametricField,
@@ -21,18 +21,18 @@ pub struct SearchField {
     weights: Weights,
 }
 
-/// A map at values of the unknowns: the parameters in order, then ε unless it is fixed.
+/// A map with its values of the unknowns.
 #[derive(Clone, Debug)]
 pub struct Sample {
     /// The map.
     pub map: ModularMap,
-    /// The values of the unknowns: the parameters in order, then ε unless it is fixed.
+    /// The values of the parameters in order, then of ε unless it is fixed.
     pub unknowns: Vec<u64>,
 }
 
 const MOST_SAMPLES: usize = 16;
 
-/// A point of a map at random unknowns, and the point's image.
+/// A point of a map at random unknowns, and the image of the point.
 #[derive(Clone, Debug)]
 pub struct SampledStep {
     /// The map with the values of its unknowns.
@@ -44,7 +44,7 @@ pub struct SampledStep {
 }
 
 impl Sample {
-    /// Returns a random point with its image. `None` at a pole.
+    /// Returns a random point with its image, or `None` at a pole.
     pub fn step(self, random: &mut SplitMix64) -> Option<SampledStep> {
         let here = self.map.point(random);
         let there = self.map.next(&here)?;
@@ -58,13 +58,13 @@ impl SampledStep {
         Some([value(&self.here)?, value(&self.there)?])
     }
 
-    /// Returns whether a polynomial has equal values at the point and at its image.
+    /// Returns whether a polynomial has equal values at the point and at the image.
     #[must_use]
     pub fn keeps(&self, searched: &SearchField, polynomial: &Polynomial) -> bool {
         self.values(searched, polynomial).is_some_and(|[here, there]| here == there)
     }
 
-    /// Returns P(x̃)/P(x) for a polynomial P. `None` if P(x) = 0, or if the prime divides a
+    /// Returns P(x̃)/P(x) for a polynomial P. Returns `None` if P(x) = 0, or if the prime divides a
     /// denominator of the coefficients.
     #[must_use]
     pub fn cofactor(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<u64> {
@@ -106,14 +106,13 @@ impl SearchField {
         self.family.dimension()
     }
 
-    /// Returns the number of unknowns: the parameters, and ε unless it is fixed.
+    /// Returns the number of parameters, plus one if ε is generic.
     #[must_use]
     pub fn unknowns(&self) -> usize {
         self.family.symbols().parameters.len() + usize::from(self.eps.is_none())
     }
 
-    /// Returns the variables of the unknowns in formulas: the parameters in order, then ε unless it
-    /// is fixed.
+    /// Returns the variables of the parameters in order, then of ε unless it is fixed.
     #[must_use]
     pub fn unknown_variables(&self) -> Vec<Variable> {
         let symbols = self.family.symbols();
@@ -121,8 +120,8 @@ impl SearchField {
         parameters.chain(self.eps.is_none().then(|| symbols.epsilon())).collect()
     }
 
-    /// Returns the map at these values of the unknowns. `None` if a divisor or the denominator of ε
-    /// is 0 modulo the prime.
+    /// Returns the map at these values of the unknowns. Returns `None` if a divisor or the
+    /// denominator of ε is 0 modulo the prime.
     #[must_use]
     pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
         let (parameters, eps) = match &self.eps {
@@ -135,7 +134,7 @@ impl SearchField {
         self.family.at(modulus, parameters, eps)
     }
 
-    /// Samples a map at random unknowns and checks that a random point has an image. `None` after
+    /// Samples a map at random unknowns for which a random point has an image. Returns `None` after
     /// 16 failures.
     pub fn sample(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Sample> {
         (0..MOST_SAMPLES).find_map(|_| {
@@ -146,13 +145,13 @@ impl SearchField {
         })
     }
 
-    /// Samples a map at random unknowns, and returns a random point of the map with its image.
+    /// Samples a map at random unknowns, and returns a random point with its image.
     pub fn step(&self, random: &mut SplitMix64) -> Option<SampledStep> {
         self.sample(Modulus::mersenne_61(), random)?.step(random)
     }
 
-    /// Tells whether the map is invertible: det ∂x̃/∂x ≠ 0 at one of three random points. With a
-    /// fixed ε, a map may send the whole space to a lower dimension.
+    /// Tells whether det ∂x̃/∂x ≠ 0 at one of three random points. With a fixed ε, a map may send
+    /// the whole space to a lower dimension.
     pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {
         (0..3).any(|_| {
             self.sample(Modulus::mersenne_61(), random).is_some_and(|sample| {
@@ -171,8 +170,8 @@ impl SearchField {
         }
     }
 
-    /// Evaluates a polynomial in states, parameters and ε at a point of a sampled map. `None` if
-    /// the prime divides a denominator of the coefficients.
+    /// Evaluates a polynomial in states, parameters and ε at a point of a sampled map. Returns
+    /// `None` if the prime divides a denominator of the coefficients.
     #[must_use]
     pub fn evaluate(&self, polynomial: &Polynomial, sample: &Sample, point: &[u64]) -> Option<u64> {
         let symbols = self.family.symbols();

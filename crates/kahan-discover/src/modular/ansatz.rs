@@ -1,5 +1,4 @@
-//! The ansatz N/D for a function that is reconstructed. N and D have equal sets of monomials in the
-//! unknowns.
+//! The ansatz N/D for a rational function, where N and D have the same monomials.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -11,15 +10,15 @@ use crate::modular::modulus::{Modulus, rational_from_residue};
 
 const MOST_COEFFICIENTS: usize = 500;
 
-/// The monomials of N and D in an ansatz N/D, as exponents of the unknowns.
+/// The monomials of N and D in the ansatz N/D, as exponents of the unknowns.
 #[derive(Clone, Debug)]
 pub(crate) struct MonomialSupport {
     pub(crate) monomials: Vec<Vec<u32>>,
 }
 
 impl MonomialSupport {
-    /// Returns all monomials whose degrees in each unknown and in total are at most the given
-    /// degrees. Returns `None` if there are too many monomials.
+    /// Returns all monomials with these bounds on the degree in each unknown and in total. Returns
+    /// `None` if there are too many monomials.
     pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
         let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
         for &bound in bounds {
@@ -40,8 +39,8 @@ impl MonomialSupport {
         self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
     }
 
-    /// Returns the function whose coefficients have these residues modulo several primes. `None` if
-    /// a coefficient is no small rational number.
+    /// Returns the function whose coefficients have these residues modulo several primes. Returns
+    /// `None` if a coefficient is no small rational number.
     pub(crate) fn function(
         &self,
         primes: &[(Modulus, Vec<Vec<u64>>)],

@@ -1,6 +1,6 @@
 //! Rational reconstruction that uses scaling symmetries of the map.
 //!
-//! Unknowns with independent weights are set to 1. Afterwards the weight of each term tells the
+//! Unknowns with independent weights are set to 1. The weight of each term then determines the
 //! powers of these unknowns.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
@@ -16,15 +16,14 @@ use crate::modular::weights::{reduce, weight_of};
 /// The weights of the unknowns and of the functions in a reconstruction.
 #[derive(Clone, Debug)]
 pub struct Grading {
-    /// The weight of each unknown: one number for each scaling symmetry.
+    /// The weight of each unknown, with one number for each scaling symmetry.
     pub unknowns: Vec<Vec<Rational>>,
     /// The weight of each function that is reconstructed.
     pub entries: Vec<Vec<Rational>>,
 }
 
 impl Grading {
-    /// Returns unknowns with independent weights, the last unknowns first. These unknowns can be
-    /// scaled to 1.
+    /// Returns unknowns that can be scaled to 1 together, the last unknowns first.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {
@@ -40,7 +39,7 @@ impl Grading {
     }
 
     /// Returns integers kⱼ with Σ kⱼ wⱼ = `target`, where wⱼ are the weights of the chosen
-    /// unknowns. `None` if no such integers exist.
+    /// unknowns.
     fn exponents(&self, chosen: &[usize], target: &[Rational]) -> Option<Vec<i64>> {
         let mut rows: Vec<Vec<Rational>> = (0..target.len())
             .map(|index| {
@@ -112,7 +111,7 @@ impl Grading {
     }
 }
 
-/// Runs [`reconstruct`] with some unknowns scaled to 1. If that fails, runs it without scaling.
+/// Runs [`reconstruct`] with some unknowns scaled to 1, or without scaling if that fails.
 pub fn reconstruct_graded(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],

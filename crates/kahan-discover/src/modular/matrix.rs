@@ -1,8 +1,8 @@
 //! Matrices modulo a prime, with reduced row echelon form, rank and null space.
 //!
 //! Rows are equations, and columns are unknowns. A column becomes a pivot if it is no linear
-//! combination of earlier columns. With monomials in ascending order, every null vector expresses
-//! one monomial by lower monomials.
+//! combination of earlier columns. If columns are monomials in ascending order, every null vector
+//! expresses one monomial by lower monomials.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
@@ -12,21 +12,20 @@ use crate::modular::modulus::Modulus;
 pub struct Echelon {
     /// The pivot columns, ascending.
     pub pivots: Vec<usize>,
-    /// The rows, one for each pivot. A row has 1 in its own pivot column, and 0 in the other pivot
-    /// columns.
+    /// One row for each pivot, with 1 in its own pivot column and 0 in the other pivot columns.
     pub rows: Vec<Vec<u64>>,
     columns: usize,
 }
 
 impl Echelon {
     /// Computes the echelon form of `rows`, each with `columns` entries. The cost is rows · rank ·
-    /// columns / 2 products; after every eighth product an entry is reduced modulo p.
+    /// columns / 2 products.
     #[must_use]
     pub fn of(modulus: &Modulus, rows: Vec<Vec<u64>>, columns: usize) -> Self {
         Self::within(modulus, rows, columns, &Deadline::never()).expect("there is no deadline")
     }
 
-    /// Computes the echelon form like [`of`](Self::of). `None` if the deadline passes.
+    /// Computes the echelon form like [`of`](Self::of). Returns `None` if the deadline passes.
     #[must_use]
     pub fn within(
         modulus: &Modulus,
@@ -78,8 +77,7 @@ impl Echelon {
         Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
     }
 
-    /// Subtracts multiples of the rows of the echelon form from `row`, so that all pivot columns of
-    /// `row` become 0.
+    /// Subtracts multiples of the echelon form from `row` until its pivot columns are 0.
     pub(crate) fn remainder(&self, modulus: &Modulus, row: Vec<u64>) -> Vec<u64> {
         reduced_by(modulus, row, &self.pivots, &self.rows)
     }
@@ -114,8 +112,8 @@ fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec
     row.reduced(modulus)
 }
 
-/// Clears, in each row, the pivot columns of later rows (back substitution). Only columns without a
-/// pivot are computed, since the pivot columns of a cleared row contain a single 1.
+/// Clears the pivot columns of later rows in each row (back substitution). Only columns without a
+/// pivot are computed.
 fn cleared(
     modulus: &Modulus,
     pivots: &[usize],
@@ -124,7 +122,7 @@ fn cleared(
     deadline: &Deadline<'_>,
 ) -> Option<()> {
     let free: Vec<usize> = (0..columns).filter(|column| pivots.binary_search(column).is_err()).collect();
-    // The entries of cleared rows in columns without a pivot. The last row comes first.
+    // Each tail has the entries of a cleared row in columns without a pivot, the last row first.
     let mut tails: Vec<Vec<u64>> = Vec::with_capacity(rows.len());
     for (row, pivot) in rows.iter_mut().zip(pivots).rev() {
         if deadline.passed() {
@@ -145,10 +143,10 @@ fn cleared(
     Some(())
 }
 
-/// A row whose entries are sums of products. An entry is reduced modulo p only before it overflows.
+/// A row of sums of products, which are reduced modulo p only before they overflow.
 struct Sums {
     sums: Vec<u128>,
-    /// The greatest number of products that an entry contains so far.
+    /// The greatest number of products in an entry.
     products: usize,
 }
 
@@ -157,8 +155,7 @@ impl Sums {
         Sums { sums: row.into_iter().map(Modulus::unreduced).collect(), products: 0 }
     }
 
-    /// Adds a multiple of `row`, from column `from` on. The number `from` must not decrease between
-    /// calls.
+    /// Adds a multiple of `row` from column `from` on. The column must not decrease between calls.
     fn add_multiple(&mut self, modulus: &Modulus, factor: u64, from: usize, row: &[u64]) {
         if factor == 0 {
             return;
@@ -183,8 +180,7 @@ impl Sums {
 /// The number of equations in a linear system beyond the number of unknowns.
 pub(crate) const SPARE: usize = 6;
 
-/// Returns a basis of the null space of a matrix of random rows. `None` if a row is missing or the
-/// deadline passes.
+/// Returns a basis of the null space of a matrix of random rows.
 pub(crate) fn sampled_null_vectors(
     modulus: &Modulus,
     columns: usize,
@@ -258,7 +254,6 @@ mod tests {
     #[test]
     fn null_vectors_are_sent_to_zero_and_express_the_highest_column() {
         let modulus = Modulus::mersenne_61();
-        // The columns are a, b, 2a + 3b, 0, c, and a − c.
         let columns = |a: u64, b: u64, c: u64| {
             let entries = [a, b, 2 * a + 3 * b, 0, c];
             let mut row: Vec<u64> = entries.iter().map(|&value| modulus.integer(value)).collect();

@@ -1,7 +1,4 @@
 //! Arithmetic and linear algebra modulo a prime, and reconstruction over ℚ.
-//!
-//! The input consists of functions that can be evaluated modulo primes. The output consists of null
-//! spaces, degrees, and rational functions over ℚ.
 
 pub(crate) mod ansatz;
 pub mod grading;

@@ -1,8 +1,7 @@
 //! Arithmetic modulo a prime of 61 bits in Montgomery form: a residue a is stored as a·2⁶⁴ mod p.
 //!
-//! Residues are below p, so equal residues are equal numbers. Conversions back to ℚ
-//! ([`rational_from_residue`]) are guesses that need a proof. Orbits, matrices and interpolations
-//! take millions of products, where 128-bit remainders would be too slow.
+//! Stored residues are below p, so equal residues are equal numbers. Orbits, matrices and
+//! interpolations take millions of products, for which 128-bit remainders would be too slow.
 
 use kahan_algebra::prime_field::{PrimeField, Random};
 use kahan_algebra::rational::Rational;
@@ -10,8 +9,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
 
-/// The field of p elements, where p is an odd prime below 2⁶². Its elements are `u64` in Montgomery
-/// form: a is stored as a·2⁶⁴ mod p.
+/// The field of p elements, for an odd prime p below 2⁶². An element a is stored as a·2⁶⁴ mod p.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Modulus {
     plain: PrimeField,
@@ -38,8 +36,7 @@ impl Modulus {
 
     pub(crate) fn of(plain: PrimeField) -> Self {
         let prime = plain.prime();
-        // Newton's iteration for 1/p modulo 2⁶⁴ doubles the number of correct bits, which is three
-        // at the start.
+        // Newton's iteration for 1/p modulo 2⁶⁴ doubles the number of correct bits, at first three.
         let mut inverse = prime;
         for _ in 0..5 {
             inverse = inverse.wrapping_mul(2u64.wrapping_sub(prime.wrapping_mul(inverse)));
@@ -49,7 +46,7 @@ impl Modulus {
         Modulus { plain, prime, negated_inverse: inverse.wrapping_neg(), one, square }
     }
 
-    /// Returns the field whose elements are ordinary residues, not in Montgomery form.
+    /// Returns the field whose elements are ordinary residues.
     pub(crate) fn field(&self) -> PrimeField {
         self.plain
     }
@@ -102,11 +99,11 @@ impl Modulus {
         ((sum + u128::from(multiple) * u128::from(self.prime)) >> 64) as u64
     }
 
-    /// The most products that may be added to [`unreduced`](Self::unreduced) before a reduction. As
-    /// p < 2⁶², a·2⁶⁴ and eight products together are below 3·2¹²⁶.
+    /// The most products that may be added to [`unreduced`](Self::unreduced). For p < 2⁶², a·2⁶⁴
+    /// and eight products together are below 3·2¹²⁶.
     pub(crate) const PRODUCTS: usize = 8;
 
-    /// Starts a sum of products that is not reduced modulo p. The first term of the sum is `a`.
+    /// Starts a sum of products with the term `a`, without reduction modulo p.
     #[inline]
     pub(crate) fn unreduced(a: u64) -> u128 {
         u128::from(a) << 64
@@ -128,16 +125,15 @@ impl Modulus {
         if a == 0 { 0 } else { self.prime - a }
     }
 
-    /// Returns 1/a. `None` for a = 0.
+    /// Returns 1/a, or `None` for a = 0.
     #[must_use]
     pub fn inverse(&self, a: u64) -> Option<u64> {
-        // The stored ã is a·2⁶⁴, so 1/ã must be multiplied by 2¹²⁸.
+        // The stored number is a·2⁶⁴, so its inverse must be multiplied by 2¹²⁸.
         let inverse = self.plain.inverse(a)?;
         Some(self.times(self.times(inverse, self.square), self.square))
     }
 
-    /// Replaces all values by their inverses, with a single inversion. Returns `false` if a value
-    /// is 0.
+    /// Inverts all values with a single inversion. Returns `false` if a value is 0.
     pub fn invert_all(&self, values: &mut [u64]) -> bool {
         let mut products = Vec::with_capacity(values.len());
         let mut product = self.one;
@@ -177,20 +173,20 @@ impl Modulus {
         })
     }
 
-    /// Returns ∏ xᵢ^eᵢ for the point x and the exponents e.
+    /// Returns ∏ xᵢ^eᵢ for a point x and exponents e.
     #[must_use]
     pub fn monomial(&self, exponents: &[u32], point: &[u64]) -> u64 {
         let powers = exponents.iter().zip(point);
         powers.fold(self.one, |product, (&exponent, &x)| self.times(product, self.power(x, exponent)))
     }
 
-    /// Converts a rational number to Montgomery form. `None` if p divides its denominator.
+    /// Converts a rational number to Montgomery form. Returns `None` if p divides the denominator.
     #[must_use]
     pub fn rational(&self, value: &Rational) -> Option<u64> {
         self.plain.reduce(value).map(|residue| self.times(residue, self.square))
     }
 
-    /// Returns the ordinary residue r of an element, 0 ≤ r < p.
+    /// Returns the ordinary residue of an element, from 0 to p − 1.
     #[must_use]
     pub fn residue(&self, a: u64) -> u64 {
         self.times(a, 1)
@@ -202,9 +198,8 @@ impl Modulus {
     }
 }
 
-/// Returns the only fraction num/den ≡ r modulo m with |num|, den ≤ √(m/2). `None` if there is no
-/// such fraction (Wang, Guy and Davenport, "P-adic reconstruction of rational numbers", SIGSAM
-/// 1982).
+/// Returns the only fraction num/den ≡ r modulo m with |num|, den ≤ √(m/2), if it exists (Wang, Guy
+/// and Davenport, "P-adic reconstruction of rational numbers", SIGSAM 1982).
 #[must_use]
 pub fn rational_from_residue(r: &BigInt, m: &BigInt) -> Option<Rational> {
     let bound = (m / 2i32).sqrt();

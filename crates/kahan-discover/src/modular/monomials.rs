@@ -2,14 +2,12 @@
 
 use crate::modular::modulus::Modulus;
 
-/// The monomials of n variables. The monomials are ordered by degree, then lexicographically with
-/// the last variable lowest.
+/// The monomials of n variables, by degree, then lexicographically with the last variable lowest.
 #[derive(Clone, Debug)]
 pub struct Monomials {
     variables: usize,
     exponents: Vec<Vec<u32>>,
-    /// For each monomial except 1, the index of an earlier monomial and that of a variable whose
-    /// product it is.
+    /// Each monomial except 1 is the product of this earlier monomial and this variable.
     recipes: Vec<(usize, usize)>,
     counts: Vec<usize>,
 }
@@ -29,7 +27,7 @@ impl Monomials {
             for variable in (0..variables).rev() {
                 let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
                 for earlier in begin..end {
-                    // Make each monomial only once, from its first variable.
+                    // Each monomial is made once, from its first variable.
                     if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
                         let mut exponents = monomials.exponents[earlier].clone();
                         exponents[variable] += 1;
@@ -91,7 +89,7 @@ impl Monomials {
         &self.exponents[index]
     }
 
-    /// Evaluates all monomials, each by one product from an earlier monomial.
+    /// Evaluates all monomials, each by one product.
     #[must_use]
     pub fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
         let mut values = Vec::with_capacity(self.len());

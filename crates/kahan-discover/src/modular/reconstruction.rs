@@ -1,10 +1,10 @@
 //! Reconstructs rational functions over ℚ from values modulo primes.
 //!
-//! An [`Oracle`] returns a vector of values at any values of the unknowns (parameters and ε). The
-//! degrees in each unknown and in total determine an ansatz N/D for each function. The coefficients
-//! of N and D are a null vector. The Chinese remainder theorem turns coefficients modulo several
-//! primes into rational numbers. The result must agree with the oracle at a random point modulo an
-//! unused prime, which is evidence but no proof.
+//! An [`Oracle`] returns values of functions at values of the unknowns (parameters and ε). The
+//! degrees determine an ansatz N/D for each function, whose coefficients are a null vector. The
+//! Chinese remainder theorem turns coefficients modulo several primes into rational numbers. The
+//! result must agree with the oracle at a random point modulo an unused prime. Agreement is
+//! evidence but no proof.
 
 use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;
@@ -17,26 +17,25 @@ use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::thiele::{SPARE, degree};
 
-/// A function that returns the values of rational functions at given unknowns. `None` where they
-/// are undefined. The number of rational functions is constant.
+/// A function that returns the values of rational functions at given unknowns, or `None` where they
+/// are undefined.
 pub type Oracle<'a> = dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>> + 'a;
 
-/// The most points on a line, which suffice for degrees of about twenty in one unknown.
+/// The most points on a line, which suffice for degrees up to about twenty.
 const MOST_ON_LINE: usize = 48;
 
 const MOST_PRIMES: usize = 24;
 
-/// The most digits of a numerator or denominator that `MOST_PRIMES` primes of 61 bits determine.
+/// The most digits of a numerator or denominator that can be reconstructed.
 pub(crate) const MOST_DIGITS: usize = MOST_PRIMES * 60 * 301 / 2000;
 
-/// The most points to try where the oracle is undefined.
 const MOST_SAMPLES: usize = 8;
 
 /// Reconstructs the oracle's functions over ℚ. The unknown with index k becomes `variables[k]`.
 ///
-/// `None` if degrees or coefficients are too large, the deadline passes, or the values are not
-/// those of rational functions. For functions of m coefficients, each prime needs m + 4 calls of
-/// the oracle, and each function m³ products.
+/// Returns `None` if degrees or coefficients are too large, the deadline passes, or the functions
+/// are not rational. For functions of m coefficients, each prime needs m + 4 calls of the oracle,
+/// and each function m³ products.
 pub fn reconstruct(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],
@@ -145,8 +144,8 @@ impl Reconstruction<'_> {
             .collect()
     }
 
-    /// Returns the coefficients of each function, numerator first. The coefficients are scaled so
-    /// that the last nonzero coefficient is 1.
+    /// Returns the coefficients of each function, numerator first. The last nonzero coefficient is
+    /// 1.
     fn coefficients(&mut self, modulus: Modulus, shapes: &[MonomialSupport]) -> Option<Vec<Vec<u64>>> {
         let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
         let mut samples = Vec::with_capacity(wanted);

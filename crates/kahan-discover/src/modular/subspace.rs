@@ -1,8 +1,7 @@
-//! Spaces of polynomials in the states. Each has a basis in reduced echelon form on fixed
-//! monomials.
+//! Spaces of polynomials in the states, with bases in reduced echelon form on fixed monomials.
 //!
-//! If a space depends on parameters and ε, the entries of its reduced basis are rational functions
-//! of the parameters and ε. These functions can be reconstructed.
+//! The entries of the reduced basis are rational functions of the parameters and ε, which can be
+//! reconstructed.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -31,19 +30,19 @@ pub struct Form {
 
 /// A space of polynomials with a basis in reduced form.
 ///
-/// In the order of the support, each element begins with its leading monomial, whose coefficient is
-/// 1. The other elements do not contain that monomial.
+/// Each element begins with its leading monomial, whose coefficient is 1. The other elements do not
+/// contain that monomial.
 #[derive(Clone, Debug)]
 pub struct PolynomialSpace {
     /// The monomials of the basis and the leading monomials.
     pub form: Form,
-    /// The coefficients of each element, one for each monomial of the support.
+    /// The coefficients of each element on the support.
     pub rows: Vec<Vec<u64>>,
 }
 
 impl PolynomialSpace {
-    /// Returns the span of vectors, which hold the coefficients of all monomials. The reduced basis
-    /// begins with low or with high monomials, whichever yields fewer terms.
+    /// Returns the span of vectors on all monomials. The reduced basis begins with low or with high
+    /// monomials, whichever yields fewer terms.
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
@@ -62,8 +61,8 @@ impl PolynomialSpace {
         if terms(&high_first) < terms(&low_first) { high_first } else { low_first }
     }
 
-    /// Returns the span of vectors, which hold the coefficients on the support of `form`. `None` if
-    /// the basis of the span has another form.
+    /// Returns the span of vectors on the support of `form`. Returns `None` if the basis has
+    /// another form.
     #[must_use]
     pub fn of_form(modulus: &Modulus, form: &Form, vectors: Vec<Vec<u64>>) -> Option<Self> {
         let echelon = Echelon::of(modulus, vectors, form.support.len());
@@ -89,7 +88,7 @@ impl PolynomialSpace {
     }
 }
 
-/// Returns a vector of length `count` with `entries` at the given indices, and zeros elsewhere.
+/// Returns a vector of length `len` with `entries` at the given indices, and zeros elsewhere.
 pub(crate) fn scattered<'a>(
     places: impl IntoIterator<Item = &'a usize>,
     entries: &[u64],
@@ -127,7 +126,7 @@ impl Names {
         }
     }
 
-    /// Returns the weights of the basis's coefficients. If p is the leading monomial of an element,
+    /// Returns the weights of the basis's coefficients. In an element with the leading monomial p,
     /// the coefficient of a monomial m has the weight of p/m.
     fn grading(
         &self,
@@ -150,9 +149,9 @@ impl Names {
     }
 }
 
-/// Reconstructs the basis of a space over ℚ as polynomials with coprime integer coefficients. The
-/// function `at` returns the space at any values of the unknowns. `None` if the form of the space
-/// changes, or where [`reconstruct`] fails.
+/// Reconstructs the basis of a space over ℚ, as polynomials with coprime integer coefficients. The
+/// function `at` returns the space at values of the unknowns. Returns `None` if the form of the
+/// space changes, or where [`reconstruct`] fails.
 pub fn reconstruct_space(
     names: &Names,
     monomials: &Monomials,
@@ -176,8 +175,7 @@ pub fn reconstruct_space(
     Some(rows.map(|row| cleared(&names.states, monomials, &form.support, row)).collect())
 }
 
-/// Returns Σ cₘ m over the monomials m, multiplied by the least common denominator. The
-/// coefficients of the result are coprime integers.
+/// Returns Σ cₘ m over the monomials m, scaled to coprime integer coefficients.
 #[must_use]
 pub fn cleared(
     states: &[Variable],
@@ -200,7 +198,7 @@ pub(crate) fn combination(
     })
 }
 
-/// Divides a polynomial by all factors that are free of states, and makes its first printed term
+/// Divides a polynomial by all factors that are free of states. The first printed term becomes
 /// positive.
 #[must_use]
 pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {

@@ -1,19 +1,19 @@
 //! Finds the degree of a rational function of one variable from values of the function.
 //!
 //! Thiele's continued fraction v₀ + (t − t₀)/(v₁ + (t − t₁)/(v₂ + …)) of a rational function is
-//! finite. After the coefficient with index L, all further inverted differences are equal, and the
-//! degree is ⌈L/2⌉. The remaining points verify the result.
+//! finite. If it ends with the coefficient of index L, the degree is ⌈L/2⌉. Further points verify
+//! the result.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
 
-/// The number of points that must agree with the continued fraction, besides the points that
-/// determine it. A wrong degree passes with a probability below (degree/p)⁴.
+/// The number of points that must agree with the continued fraction beyond those that determine it.
+/// A wrong degree passes with a probability below (degree/p)⁴.
 pub(crate) const SPARE: usize = 4;
 
-/// Returns max(deg P, deg Q) of the function P/Q in lowest terms that has `values` at distinct
-/// `points`. `None` if more points are needed or the deadline passes. The cost is 4 products for
-/// each pair of the first 2·degree points.
+/// Returns max(deg P, deg Q) of the function P/Q in lowest terms with `values` at distinct
+/// `points`. Returns `None` if more points are needed or the deadline passes. The cost is 4
+/// products for each pair of the first 2·degree points.
 #[must_use]
 pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline<'_>) -> Option<usize> {
     let mut points = points.to_vec();
@@ -27,8 +27,7 @@ pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Dead
         if differences.iter().all(|&difference| difference == 0) {
             return Some(usize::div_ceil(level, 2));
         }
-        // Drop points whose inverted difference is undefined because two values are equal by
-        // accident.
+        // Drop points whose inverted difference is undefined because two values happen to be equal.
         let mut kept = differences.iter().map(|&difference| difference != 0);
         points.retain(|_| kept.next().expect("one for each point"));
         differences.retain(|&difference| difference != 0);
@@ -80,7 +79,6 @@ mod tests {
         }
     }
 
-    /// Changes one value of a function of degree 1; the degree then differs.
     #[test]
     fn one_spare_point_that_does_not_agree_is_enough() {
         let modulus = Modulus::mersenne_61();

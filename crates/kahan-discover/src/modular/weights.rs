@@ -1,22 +1,22 @@
 //! Scaling symmetries, which reduce the number of unknowns to interpolate.
 //!
 //! A choice of weights for states, parameters and ε is valid if all equations ε ẋᵢ ~ xᵢ are
-//! homogeneous. The valid choices form a vector space. For each of them, coefficients of invariants
-//! are homogeneous.
+//! homogeneous. Coefficients of invariants are then homogeneous. The valid choices form a vector
+//! space.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Monomial, Variable};
 use kahan_algebra::rational::Rational;
 
-/// The weights of variables. A weight has one entry for each independent scaling symmetry.
+/// The weights of variables, each with one entry for each independent scaling symmetry.
 #[derive(Clone, Debug, Default)]
 pub struct Weights {
     by_variable: Vec<Vec<Rational>>,
 }
 
 impl Weights {
-    /// Returns the scaling symmetries of a field's map. If ε is fixed, only symmetries that do not
-    /// scale ε are returned.
+    /// Returns the scaling symmetries of a field's map. If ε is fixed, the symmetries do not scale
+    /// ε.
     #[must_use]
     pub fn of(field: &Field, eps_is_fixed: bool) -> Self {
         let count = usize::from(field.symbols.epsilon().0) + 1;
@@ -36,7 +36,7 @@ impl Weights {
             let Some(divisor) = divisors.next() else { continue };
             equations.extend(divisors.map(|other| difference(&other, &divisor)));
             for (monomial, _) in component.numerator().terms() {
-                // Require that ε p/q has the weight of xᵢ, where p/q is a term of component i.
+                // The term p/q of component i times ε must have the weight of xᵢ.
                 let mut row = difference(&exponents(monomial), &divisor);
                 row[count - 1] = &row[count - 1] + &Rational::one();
                 row[i] = &row[i] - &Rational::one();
@@ -62,8 +62,7 @@ impl Weights {
         Weights { by_variable: (0..count).map(weight).collect() }
     }
 
-    /// Returns the weight of a variable. The weight is empty if the variable does not belong to the
-    /// map.
+    /// Returns the weight of a variable of the map, or an empty list for other variables.
     #[must_use]
     pub fn of_variable(&self, variable: Variable) -> Vec<Rational> {
         self.by_variable.get(usize::from(variable.0)).cloned().unwrap_or_default()
@@ -78,7 +77,7 @@ impl Weights {
     }
 }
 
-/// Returns the weight of a monomial, with `rank` entries. `None` if a variable has no weight.
+/// Returns the weight of a monomial, with `rank` entries.
 pub(crate) fn weight_of<'a>(
     monomial: &Monomial,
     rank: usize,
@@ -158,8 +157,7 @@ mod tests {
 
     #[test]
     fn the_number_of_symmetries_is_known() {
-        // Scalings of three coordinates and of time are free; they determine the weights of three
-        // coefficients.
+        // Scalings of three coordinates and of time determine the weights of three coefficients.
         assert_eq!(rank(&weights("xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;", false).0), 4);
         assert_eq!(rank(&weights("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;", false).0), 2);
         assert_eq!(rank(&weights("xdot = x*(1 - y); ydot = y*(x - 1);", false).0), 0);

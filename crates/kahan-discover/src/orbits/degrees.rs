@@ -1,9 +1,9 @@
 //! Degrees of the iterates of the map, as a projective map without common factors.
 //!
-//! The n-th iterate is evaluated along a random line, with a random Möbius parameter so that no
-//! point is special. A random combination of the iterate's components is a rational function of the
-//! parameter, whose degree is that of the iterate. Values never contain common factors of
-//! numerators and denominator. No polynomial is formed.
+//! Iterate n is evaluated along a random line, with a random Möbius parameter so that no point is
+//! special. A random combination of the iterate's components is a rational function of the
+//! parameter with the degree of the iterate. Common factors cancel in values, and no polynomial is
+//! formed.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -25,16 +25,14 @@ pub struct DegreeLimits<'a> {
     pub deadline: &'a Deadline<'a>,
 }
 
-/// The number of degrees below which the limit on degrees is four times as large, while the kind of
-/// growth is undecided.
+/// With fewer degrees than this, the limit on degrees may be four times as large.
 const FEWEST: usize = 6;
 
 /// Returns the degrees d₀ = 1, d₁, … of iterates on a random line. The list is empty if the map is
-/// undefined there. For degree d, the cost is 2d evaluations of each iterate and 8d² products.
+/// undefined there. An iterate of degree d takes 2d evaluations and 8d² products.
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
-    // The number of points suffices for one iterate beyond the limit on degrees.
     let most_points = 16 * limits.degree + 16;
     while degrees.len() <= limits.iterates {
         let known = degrees.len();
@@ -50,7 +48,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
                 if limits.deadline.has_stopped() {
                     break None;
                 }
-                // Stop: no further iterate is defined at enough points of the line.
+                // No further iterate is defined at enough points of the line.
                 return if known == 1 { Vec::new() } else { degrees };
             }
             let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();
@@ -137,7 +135,6 @@ impl<'a> Line<'a> {
 }
 
 impl Sample {
-    /// Maps the sample until it has done `steps` steps. Returns `false` at a pole.
     fn advance(&mut self, map: &ModularMap, steps: usize) -> bool {
         while self.steps < steps {
             match map.next(&self.state) {

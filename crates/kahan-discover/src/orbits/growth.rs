@@ -4,18 +4,18 @@ use std::fmt;
 
 use crate::orbits::plane::GrowthProof;
 
-/// The growth of the degrees dₙ of the iterates with the number n of steps.
+/// The growth of the degrees dₙ of iterates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
-    /// The degrees are constant from some iterate on, so the iterates form one family.
+    /// The degrees are constant from some iterate on.
     Bounded,
-    /// The degrees grow like n: the level curves have genus 0, or the map is linearisable.
+    /// The degrees grow like n. The level curves have genus 0, or the map is linearisable.
     Linear,
-    /// The degrees grow like n²: the map is integrable on curves of genus 1 or on abelian surfaces.
+    /// The degrees grow like n². The map is integrable on curves of genus 1 or on abelian surfaces.
     Quadratic,
-    /// The degrees grow like eⁿ·ˢ: the map is not integrable.
+    /// The degrees grow like eⁿ·ˢ. The map is not integrable.
     Exponential {
-        /// The algebraic entropy s, which is the logarithm of the ratio of successive degrees.
+        /// The algebraic entropy s: the logarithm of the ratio of successive degrees.
         entropy: f64,
     },
     /// The iterates are too few, or their degrees grow in another way.
@@ -25,11 +25,11 @@ pub enum Growth {
 /// A kind of growth with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthVerdict {
-    /// The class.
+    /// The kind of growth.
     pub growth: Growth,
     /// The observation in words.
     pub evidence: String,
-    /// The proof of exponential growth. `None` if growth was only observed.
+    /// The proof of exponential growth, or `None` if growth was only observed.
     pub proof: Option<GrowthProof>,
 }
 
@@ -62,8 +62,8 @@ impl fmt::Display for Growth {
     }
 }
 
-/// The largest relative difference between ratios that count as steady. Ratios of the sequence n^k
-/// decrease like 1 + k/n.
+/// The largest relative difference between ratios that count as constant. Ratios of the sequence
+/// n^k decrease like 1 + k/n.
 const STEADY: f64 = 0.08;
 
 impl GrowthVerdict {
@@ -117,8 +117,8 @@ fn steps(period: usize, difference: i128, what: &str) -> String {
     }
 }
 
-/// Returns the least k for which the last differences over k steps are constant. The other results
-/// are the constant, and the number of differences that are equal to it.
+/// Returns the least k for which the last differences over k steps are constant, the constant, and
+/// the number of these differences.
 fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     (1..=values.len() / (order + 2)).find_map(|period| {
         let mut differences = values.to_vec();
@@ -163,7 +163,7 @@ mod tests {
         let Growth::Exponential { entropy } = growth((0..8).map(|n| 3usize.pow(n))) else { panic!() };
         assert!((entropy - 3f64.ln()).abs() < 1e-12);
         assert_eq!(growth([1, 2, 4]), Growth::Undecided);
-        // Cubic growth is undecided for any number of degrees: no class has it.
+        // Cubic growth is undecided for any number of degrees.
         assert_eq!(growth((0..30).map(|n| n * n * n + 1)), Growth::Undecided);
         assert_eq!(growth((0..12).map(|n| n * n * n + 1)), Growth::Undecided);
     }

@@ -10,16 +10,15 @@ use crate::modular::monomials::Monomials;
 use crate::orbits::relations::Relations;
 
 /// The Hilbert function h(d) of a generic orbit: the number of monomials of degree ≤ d that are
-/// linearly independent on the orbit. If no relation has degree ≤ d, there may still be relations
-/// of higher degrees.
+/// linearly independent on the orbit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hilbert {
     /// The values h(1), h(2), ….
     pub values: Vec<usize>,
-    /// The number of all monomials of degree ≤ 1, ≤ 2, …, which is an upper bound of h.
+    /// The numbers of all monomials of degree ≤ 1, ≤ 2, …, which bound h.
     pub full: Vec<usize>,
-    /// The codimension of the closure of the orbit, as the observed relations define it. The
-    /// codimension is the number of independent algebraic integrals visible up to this degree.
+    /// The number of independent algebraic integrals visible up to this degree: the codimension
+    /// that the relations give to the closure of the orbit.
     pub integrals: usize,
     /// The least degree of a relation, if one was observed.
     pub relation_degree: Option<u32>,
@@ -36,21 +35,19 @@ pub struct Hilbert {
 /// The most monomials up to the default degree.
 const MOST_MONOMIALS: usize = 220;
 
-/// The most monomials up to degree 2, if that is the default degree. The larger number admits more
-/// variables.
+/// The most monomials if the default degree is 2, which admits more variables.
 const MOST_QUADRATIC_MONOMIALS: usize = 900;
 
 const HIGHEST_DEGREE: u32 = 10;
 
-/// The most monomials for any time limit. Let N be this number. Relations on one orbit take several
+/// The most monomials for any time limit. For N monomials, relations on one orbit take several
 /// times N² integers of 8 bytes, and N³ products.
 pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
 
-/// The most starts to try when orbits end at poles.
 const MOST_SAMPLES: usize = 8;
 
-/// Returns the default degree of relations in n variables. The degree is as high as 220 monomials
-/// allow, from 2 to 10. In more than 40 variables the degree is 1.
+/// Returns the default degree of relations in n variables. The degree falls from 10 to 2 as n
+/// grows, and is 1 for more than 40 variables.
 #[must_use]
 pub fn default_degree(variables: usize) -> u32 {
     let most = |degree: u32| if degree == 2 { MOST_QUADRATIC_MONOMIALS } else { MOST_MONOMIALS };
@@ -60,7 +57,8 @@ pub fn default_degree(variables: usize) -> u32 {
         .unwrap_or(1)
 }
 
-/// Returns relations on a random orbit. `None` if 8 orbits end at poles or the deadline passes.
+/// Returns relations on a random orbit. Returns `None` if 8 orbits end at poles or the deadline
+/// passes.
 pub fn random_relations(
     map: &impl ModularStep,
     monomials: &Monomials,
@@ -80,10 +78,11 @@ pub fn random_relations(
 }
 
 impl Hilbert {
-    /// Follows orbits modulo two primes from two points each, with random parameters and ε. `None`
-    /// if the map is undefined or every orbit ends at a pole, or if the deadline allows no orbit.
-    /// The cost is 4 N² h products, where N = C(n + degree, n) counts the monomials and h =
-    /// h(degree).
+    /// Follows orbits modulo two primes from two points each, with random parameters and ε.
+    ///
+    /// Returns `None` if the map is undefined, every orbit ends at a pole, or the deadline allows
+    /// no orbit. The cost is 4 N² h(degree) products, where N = C(n + degree, n) counts the
+    /// monomials.
     pub fn of(
         searched: &SearchField,
         degree: u32,
@@ -108,10 +107,9 @@ impl Hilbert {
         found
     }
 
-    /// Follows one orbit up to a higher degree. If the orbit shows more integrals, all four orbits
-    /// are followed. The rank on an orbit is at most the generic rank, so an orbit without new
-    /// integrals excludes them. `None` as for [`of`](Self::of). Without new integrals the cost is
-    /// N² h products.
+    /// Follows one orbit up to a higher degree, and all four orbits if this orbit shows more
+    /// integrals. The rank on an orbit is at most the generic rank, so an orbit without new
+    /// integrals excludes them. Returns `None` as [`of`](Self::of) does.
     pub fn further(
         &self,
         searched: &SearchField,
@@ -148,7 +146,7 @@ impl Hilbert {
         }
     }
 
-    /// Joins two results. If ranks differ, the larger rank is the generic one.
+    /// Joins two results. The larger of two ranks is the generic rank.
     fn with(mut self, other: Hilbert) -> Self {
         self.agree &= self.values == other.values && self.integrals == other.integrals;
         if other.values > self.values {
@@ -162,8 +160,8 @@ impl Hilbert {
         self
     }
 
-    /// Returns the least degree d such that the relations of degree ≤ d of a generic orbit define
-    /// its closure. `None` without relations, or if the deadline passes.
+    /// Returns the least degree d such that the relations of degree ≤ d define the closure of a
+    /// generic orbit. Returns `None` without relations, or if the deadline passes.
     pub fn defining_degree(
         &self,
         map: &impl ModularStep,
@@ -183,8 +181,7 @@ impl Hilbert {
         self.values.len() as u32
     }
 
-    /// Returns the dimension of the closure of the orbit: n variables minus the number of
-    /// integrals.
+    /// Returns the dimension of the closure of the orbit for this number of variables.
     #[must_use]
     pub fn dimension(&self, variables: usize) -> usize {
         variables - self.integrals

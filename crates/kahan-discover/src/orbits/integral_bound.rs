@@ -1,8 +1,7 @@
-//! Computes upper bounds on the number of integrals, from the fixed points of the map.
+//! Computes upper bounds on the number of integrals from fixed points of the map.
 //!
-//! The input is a field. The output is the least bound found, with a zero of the field modulo a
-//! prime that proves the bound ([`integral_bound`]). Zeros are found by trial: some states are
-//! random, and equations with one remaining unknown are solved.
+//! A zero of the field modulo a prime proves each bound ([`integral_bound`]). Zeros are found by
+//! trial: some states are random, and equations with one remaining unknown are solved.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -18,21 +17,20 @@ pub struct IntegralBound {
     pub integrals: usize,
     /// The prime modulo which the bound is proved.
     pub prime: u64,
-    /// The zero of the field modulo the prime, which gives the bound.
+    /// The zero of the field modulo the prime that gives the bound.
     pub zero: Vec<u64>,
     /// The values of the parameters modulo the prime.
     pub parameters: Vec<u64>,
 }
 
-/// The primes of the search. All are 3 modulo 4, so that square roots are powers. In small fields
+/// The primes of the search, all 3 modulo 4, so that square roots are powers. In small fields
 /// random points are often zeros. In large fields eigenvalues are rarely equal by chance.
 const PRIMES: [u64; 6] = [1_000_003, 7, 31, 11, 103, 19];
 
-/// The most variables of a field. For n variables, the eigenvalues cost n⁴ products.
+/// The most variables of a field. The eigenvalues cost n⁴ products for n variables.
 const MOST_VARIABLES: usize = 24;
 
-/// The most trials if the bound cannot end a search early. The number does not depend on the
-/// machine.
+/// The most trials if the bound cannot end a search early.
 pub const FEW_TRIALS: usize = 24_000;
 
 /// The most trials if the bound may save a long search.
@@ -45,19 +43,19 @@ const TRIALS_A_SAMPLE: usize = 40;
 
 /// Returns the least bound found in `trials` trials, or the first bound that is at most `enough`.
 ///
-/// `None` if no zero was found, ε is fixed, the field depends on ε, or there are more than 24
-/// variables.
+/// Returns `None` if no zero was found, ε is fixed, the field depends on ε, or there are more than
+/// 24 variables.
 ///
-/// At a zero x₀ of f with L = f′(x₀) the map has the Jacobian (I − εL)⁻¹(I + εL). Its eigenvalues
-/// are μ = (1 + ελ)/(1 − ελ) for the eigenvalues λ of L. Suppose that k independent rational
-/// integrals exist. Their lowest terms at x₀ give k independent rational functions that the
-/// Jacobian preserves (Ziglin's lemma). The diagonal part diag(μ₁, …, μₙ) of the Jacobian preserves
-/// these functions, too. So k ≤ n − s if s of the μ are multiplicatively independent. As a function
-/// of ε, μ has the zero −1/λ and the pole 1/λ, so s is the number of different λ² ≠ 0.
+/// Let L = f′(x₀) at a zero x₀ of f. The map has the Jacobian (I − εL)⁻¹(I + εL) there, with the
+/// eigenvalues μ = (1 + ελ)/(1 − ελ) for the eigenvalues λ of L. Suppose that k independent
+/// rational integrals exist. Their lowest terms at x₀ give k independent rational functions that
+/// the Jacobian preserves (Ziglin's lemma). The diagonal part of the Jacobian preserves these
+/// functions, too. So k ≤ n − s if s of the μ are multiplicatively independent. As a function of ε,
+/// μ has the zero −1/λ and the pole 1/λ, so s is the number of different λ² ≠ 0.
 ///
-/// The argument holds over every field of characteristic ≠ 2. Let the map be reduced modulo p, and
-/// let parameters get values. Integrals over ℚ(ε) remain equally many and independent (Ziglin's
-/// lemma for the valuation at p). One zero modulo one prime is therefore a proof.
+/// The argument holds over every field of characteristic ≠ 2. Integrals over ℚ(ε) remain
+/// independent in the map modulo a prime (Ziglin's lemma for the valuation). One zero modulo one
+/// prime is therefore a proof.
 pub fn integral_bound(
     searched: &SearchField,
     enough: usize,
@@ -137,11 +135,11 @@ fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -
 
 /// A component of the field after the known states are substituted.
 enum RestrictedComponent {
-    /// The component depends on no other state.
+    /// The component has this constant value.
     Constant(u64),
     /// The component is c₀ + c₁x + c₂x² for one unknown state x.
     Single { state: usize, coefficients: [u64; 3] },
-    /// The component depends on several other states.
+    /// The component depends on several unknown states.
     Several,
 }
 
@@ -170,8 +168,7 @@ fn restricted(terms: &[Term], values: &[Option<u64>], modulus: &Modulus) -> Rest
     }
 }
 
-/// Returns a root of c₀ + c₁x + c₂x², where c₁ and c₂ are not both 0. If there are two roots, one
-/// is chosen at random.
+/// Returns a random root of c₀ + c₁x + c₂x², where c₁ and c₂ are not both 0.
 fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> Option<u64> {
     let quotient = |above: u64, below: u64| Some(modulus.times(above, modulus.inverse(below)?));
     if c2 == 0 {
@@ -187,11 +184,10 @@ fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> O
     quotient(modulus.minus(sqrt, c1), modulus.plus(c2, c2))
 }
 
-/// Returns the number of different λ² ≠ 0, where λ runs over the eigenvalues in the algebraic
-/// closure. The prime must exceed the number n of rows. The cost is n⁴ products.
+/// Returns the number of different λ² ≠ 0 for eigenvalues λ in the algebraic closure. The prime
+/// must exceed the number n of rows. The cost is n⁴ products.
 fn different_squares(modulus: &Modulus, matrix: &[Vec<u64>]) -> usize {
     let mut polynomial = characteristic(modulus, &product(modulus, matrix, matrix));
-    // Remove the eigenvalues that are 0.
     polynomial.drain(..polynomial.iter().take_while(|&&coefficient| coefficient == 0).count());
     let slope = (1..polynomial.len())
         .map(|power| modulus.times(modulus.integer(power as u64), polynomial[power]))
@@ -208,16 +204,14 @@ fn product(modulus: &Modulus, left: &[Vec<u64>], right: &[Vec<u64>]) -> Vec<Vec<
     left.iter().map(entries).collect()
 }
 
-/// Returns the coefficients of det(t − M) by Faddeev and LeVerrier's recursion. The constant
-/// coefficient comes first.
+/// Returns the coefficients of det(t − M), lowest first, by Faddeev and LeVerrier's recursion.
 fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
     let n = matrix.len();
     let mut coefficients = vec![0; n + 1];
     coefficients[n] = modulus.one();
     let mut auxiliary = vec![vec![0; n]; n];
     for k in 1..=n {
-        // The recursion is Mₖ = M Mₖ₋₁ + cₙ₋ₖ₊₁, cₙ₋ₖ = −tr(M Mₖ)/k, where cₖ is the coefficient of
-        // tᵏ.
+        // The recursion is Mₖ = M Mₖ₋₁ + cₙ₋ₖ₊₁, cₙ₋ₖ = −tr(M Mₖ)/k for the coefficients cₖ of tᵏ.
         auxiliary = product(modulus, matrix, &auxiliary);
         for (i, row) in auxiliary.iter_mut().enumerate() {
             row[i] = modulus.plus(row[i], coefficients[n - k + 1]);
@@ -231,7 +225,7 @@ fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
 }
 
 /// Returns the degree of the greatest common divisor of two polynomials with constant terms first.
-/// The polynomial `above` is nonzero.
+/// The polynomial `above` must be nonzero.
 fn common_degree(modulus: &Modulus, mut above: Vec<u64>, mut below: Vec<u64>) -> usize {
     loop {
         while below.last() == Some(&0) {
@@ -268,7 +262,6 @@ mod tests {
         let modulus = Modulus::of(PrimeField::new(1_000_003).unwrap());
         let count = |values: &[i64]| {
             let n = values.len();
-            // Equal eigenvalues of the triangular matrix form Jordan blocks.
             let entry = |i: usize, j: usize| match j.cmp(&i) {
                 std::cmp::Ordering::Less => 0,
                 std::cmp::Ordering::Equal if values[i] < 0 => {
@@ -308,8 +301,7 @@ mod tests {
         let dense = "xdot = x^2 - 3*x*y + 2*y*z + w^2 - x + 2*y + 1; ydot = 2*x^2 + x*y - 5*y*z + z*w + 3;
             zdot = x*z - 4*y^2 + 7*x - y + 2*w; wdot = w*x - 3*y*z + z^2 - 5;";
         assert_eq!(of(dense, None), Some(0));
-        // Here λ₁ = 2/(1 + ε²) and λ₂ = 1. The map's eigenvalues satisfy μ₁ = μ₂², although the
-        // squares λᵢ² differ.
+        // Here λ₁ = 2/(1 + ε²) and λ₂ = 1. The map's eigenvalues satisfy μ₁ = μ₂².
         assert_eq!(of("xdot = 2*x/(1 + eps^2); ydot = y;", None), None);
         // A fixed ε may allow more integrals, as Lotka and Volterra's map shows at ε = 1.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", Some(kahan_algebra::rational::Rational::one())), None);

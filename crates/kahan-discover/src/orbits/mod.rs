@@ -1,5 +1,5 @@
-//! Searches along orbits: polynomial relations and the number of integrals that they show, growth
-//! of the degrees of iterates, and Hirota–Kimura bases.
+//! Searches along orbits: polynomial relations, numbers of integrals, growth of the degrees of
+//! iterates, and Hirota–Kimura bases.
 
 pub mod basis;
 pub mod degrees;

@@ -1,10 +1,10 @@
 //! Finds the polynomial relations on one orbit.
 //!
-//! The values of all monomials up to a degree along an orbit form a matrix. Its null vectors are
-//! the polynomials that vanish on the orbit, hence on the orbit's Zariski closure. In reduced form
-//! each relation expresses one monomial by lower ones. The coefficients of the relation, as
-//! functions of the orbit's start, are integrals (Petrera, Pfadler, Suris, "On integrability of
-//! Hirota–Kimura type discretizations", 2011).
+//! The values of monomials along an orbit form a matrix. Its null vectors are the polynomials that
+//! vanish on the orbit and on its Zariski closure. In reduced form each relation expresses one
+//! monomial by lower ones. Then the coefficients of the relation are integrals, as functions of the
+//! orbit's start (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type
+//! discretizations", 2011).
 
 use crate::deadline::Deadline;
 use crate::maps::modular_step::ModularStep;
@@ -12,8 +12,7 @@ use crate::modular::matrix::{Echelon, NullVector};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 
-/// The number of points beyond the number of monomials. Accidental relations fail at the additional
-/// points.
+/// The number of points beyond the number of monomials, which excludes accidental relations.
 const SPARE: usize = 6;
 
 /// The relations on one orbit.
@@ -25,15 +24,16 @@ pub struct Relations {
     pub ranks: Vec<usize>,
     /// The relations in reduced form, ordered by their leading monomials.
     pub vectors: Vec<NullVector>,
-    /// The number of points of the orbit that were used.
+    /// The number of points used.
     pub points: usize,
     /// The period, if the orbit returned to its start.
     pub period: Option<usize>,
 }
 
 impl Relations {
-    /// Returns the relations on an orbit up to the degree of `monomials`. `None` at a pole, or if
-    /// the deadline passes. With N monomials and rank r, the cost is N + 6 steps and N² r products.
+    /// Returns the relations on an orbit up to the degree of `monomials`. Returns `None` at a pole,
+    /// or if the deadline passes. With N monomials and rank r, the cost is N + 6 steps and N² r
+    /// products.
     #[must_use]
     pub fn on_orbit(
         map: &impl ModularStep,
@@ -56,8 +56,8 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// Returns the codimension of the orbit's closure as these relations define it. The codimension
-    /// is computed as the rank of the relations' gradients at the start.
+    /// Returns the codimension that the relations give to the closure of the orbit: the rank of
+    /// their gradients at the start.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         self.normals(modulus, monomials).len()
@@ -85,7 +85,7 @@ pub(crate) fn monomial_gradient(modulus: &Modulus, exponents: &[u32], point: &[u
     (0..exponents.len()).map(slope).collect()
 }
 
-/// Returns the gradients of all monomials at a point. Each row has one entry for each variable.
+/// Returns the gradients of all monomials at a point.
 #[must_use]
 pub fn monomial_gradients(modulus: &Modulus, monomials: &Monomials, point: &[u64]) -> Vec<Vec<u64>> {
     (0..monomials.len()).map(|index| monomial_gradient(modulus, monomials.exponents(index), point)).collect()

@@ -1,5 +1,5 @@
-//! Invariant Poisson brackets of two kinds. Brackets with polynomial entries have any rank.
-//! Brackets of rank 2 come from a density and n − 2 integrals, which are their Casimir functions.
+//! Invariant Poisson brackets: brackets with polynomial entries, and brackets of rank 2 from a
+//! density and n − 2 integrals.
 
 mod constant;
 mod construct;
@@ -25,9 +25,9 @@ pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// The most choices of n − 2 integrals from which brackets are made.
+/// The most sets of n − 2 integrals from which brackets are made.
 const MOST_CHOICES: usize = 12;
-/// The most brackets of this kind that are written.
+/// The most brackets of rank 2 from a density and integrals.
 const MOST_BRACKETS: usize = 3;
 
 const MOST_CHARACTERS: usize = 2_500;
@@ -49,19 +49,17 @@ pub struct Bracket {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Brackets {
     pub(crate) proved: Vec<Bracket>,
-    /// The number of proved brackets with polynomial entries. Brackets with polynomial entries
-    /// precede the other brackets.
+    /// The number of proved brackets with polynomial entries, which come first.
     pub(crate) polynomial: usize,
-    /// The indices of constant tensors K for which (I − ε² f′²)K is proved to be a bracket. Claims
-    /// omit long brackets, and brackets that others imply.
+    /// The indices of constant tensors K for which (I − ε² f′²)K is proved to be a bracket.
     pub(crate) structures: Vec<usize>,
 }
 
-/// Proves brackets in two groups. The first group has the given tensors, by descending rank and
-/// ascending length. The second has brackets of rank 2 from the density and n − 2 integrals, the
-/// shortest first. A bracket has at most 2500 characters. If a bracket of full rank exists,
-/// brackets of rank 2 have at most 400 characters in four dimensions, and are omitted in more
-/// dimensions.
+/// Proves the brackets of the given tensors, by descending rank and ascending length. Then proves
+/// brackets of rank 2 from the density and n − 2 integrals, the shortest first.
+///
+/// A bracket has at most 2500 characters. Beside a bracket of full rank, brackets of rank 2 have at
+/// most 400 characters in four dimensions, and are omitted in more dimensions.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -110,7 +108,7 @@ pub(crate) fn brackets(
     let is_full = proved.first().is_some_and(|bracket| bracket.rank + 1 >= n);
     let is_beside = is_full && n > 3;
     let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
-    // Skip these integrals: a bracket is about as long as the integrals in it.
+    // A bracket is about as long as its integrals.
     let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
     let mut found: Vec<String> = Vec::new();
     if let Some(density) = density.filter(|_| !is_full || n <= 4) {
@@ -134,7 +132,7 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
     }
-    // Without this test the recursion would enumerate all smaller sets.
+    // The test stops a recursion through all smaller sets.
     if of < count {
         return Vec::new();
     }
@@ -164,9 +162,8 @@ fn tensor(
     invariant_tensor(symbols, &density, &casimirs?, &mut budget)
 }
 
-/// Divides the tensor of a bracket by common factors of its numerators that are free of states. The
-/// coefficients become coprime integers, and the first coefficient becomes positive. The result is
-/// still a bracket.
+/// Divides the tensor of a bracket by common factors that are free of states. The first coefficient
+/// becomes positive.
 fn coprime(
     symbols: &Symbols,
     tensor: &[RationalFunction],

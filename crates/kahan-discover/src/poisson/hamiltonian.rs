@@ -1,4 +1,4 @@
-//! Constant Poisson structures K of the field f with f = K∇H, and modified Hamiltonians of the map.
+//! Constant Poisson structures K of the field f = K∇H, and modified Hamiltonians of the map.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial, Variable, gcd_within};
@@ -21,28 +21,26 @@ use crate::modular::reconstruction::reconstruct;
 use crate::modular::subspace::combination;
 use crate::orbits::relations::monomial_gradients;
 
-/// The most terms of the modified Hamiltonian.
 const MOST_TERMS: usize = 1500;
-/// The most products of terms in the computation of the modified Hamiltonian.
 const MODIFIED_WORK: u64 = 10_000_000;
 
 const MOST_STRUCTURES: usize = 4;
 
-/// For each component, the number of equations beyond the number of unknowns.
+/// The number of equations for each component beyond the number of unknowns.
 const SPARE: usize = 6;
 
-/// A decomposition f = K∇H with K constant and antisymmetric.
+/// A decomposition f = K∇H with a constant antisymmetric matrix K.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hamiltonian {
-    /// The matrix K, row by row. Its entries are free of states.
+    /// The matrix K, row by row, free of states.
     pub tensor: Vec<Vec<RationalFunction>>,
-    /// The function H, a polynomial in the states over parameters, of degree at most three.
+    /// The function H, a polynomial in the states of degree at most three.
     pub hamiltonian: RationalFunction,
 }
 
 const MOST_COEFFICIENTS: usize = 400;
 
-/// Returns whether H in n variables has at most 400 coefficients, which is the limit of the search.
+/// Returns whether H in n variables has at most 400 coefficients, the limit of the search.
 #[must_use]
 pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
@@ -52,7 +50,7 @@ pub fn is_within_reach(n: usize) -> bool {
 ///
 /// f′(x)K must be symmetric for all x, which is linear in K. Then f = K∇H is linear in the
 /// coefficients of a cubic H. If no K of the basis has an H, the sum of the basis is tried. The
-/// result is empty if that fails, if H has more than 400 coefficients, or if the field is zero.
+/// result is empty if H has more than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -120,8 +118,8 @@ fn pairs(n: usize) -> Vec<(usize, usize)> {
     (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect()
 }
 
-/// Returns a basis of the antisymmetric matrices K for which f′(x)K is symmetric for all x. Each K
-/// is given by its entries above the diagonal.
+/// Returns a basis of the antisymmetric matrices K for which f′(x)K is symmetric for all x, as
+/// entries above the diagonal.
 fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     let modulus = map.modulus();
     let n = map.dimension();
@@ -151,7 +149,7 @@ fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     Echelon::null_vectors(modulus, rows, places.len(), &Deadline::never()).expect("there is no deadline")
 }
 
-/// Returns element k − 1 of the basis for choice k > 0, and the sum of the basis for choice 0.
+/// Returns basis element `choice` − 1, or the sum of the basis for choice 0.
 fn tensor_of_choice(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u64>> {
     if choice > 0 {
         return tensors.get(choice - 1).cloned();
@@ -163,8 +161,7 @@ fn tensor_of_choice(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Op
     Some(others.iter().fold(first.clone(), add))
 }
 
-/// Returns the coefficients of a cubic H with K∇H = f, without the constant term. `None` if no H
-/// exists or the deadline passes.
+/// Returns the coefficients of a cubic H with K∇H = f, without the constant term.
 fn potential(
     map: &ModularMap,
     monomials: &Monomials,
@@ -206,8 +203,8 @@ fn potential(
 }
 
 impl Hamiltonian {
-    /// Tests f = K∇H by expansion over ℚ. If the test succeeds, the modified Hamiltonian is an
-    /// integral of the map by the theorem of Celledoni, McLachlan, Owren and Quispel.
+    /// Tests f = K∇H by expansion over ℚ. The modified Hamiltonian is then an integral of the map
+    /// (Celledoni, McLachlan, Owren and Quispel).
     #[must_use]
     pub fn holds(&self, field: &Field) -> bool {
         let slopes: Vec<RationalFunction> =
@@ -219,8 +216,8 @@ impl Hamiltonian {
         })
     }
 
-    /// Writes the modified Hamiltonian in its compact form H + (x̃ − x)·∇H/3, where `x~` stands for
-    /// x̃. As x̃ − x = 2ε (I − ε f′)⁻¹ f, the value is that of [`modified`](Self::modified).
+    /// Writes the modified Hamiltonian in the compact form H + (x̃ − x)·∇H/3, where `x~` stands for
+    /// x̃. The value equals [`modified`](Self::modified).
     #[must_use]
     pub fn compact(&self, symbols: &Symbols, notation: &dyn Notation) -> String {
         let written = |function: &RationalFunction| notation.function(symbols, function);
@@ -236,8 +233,8 @@ impl Hamiltonian {
         format!("{} + {moved}", written(&self.hamiltonian))
     }
 
-    /// Returns the gradient of the modified Hamiltonian H + (x̃ − x)·∇H/3 at a point of a sampled
-    /// map, up to a factor.
+    /// Returns the gradient of the modified Hamiltonian at a point of a sampled map, up to a
+    /// factor.
     #[must_use]
     pub fn modified_gradient(
         &self,
@@ -250,7 +247,6 @@ impl Hamiltonian {
         let there = sample.map.next(here)?;
         let jacobian = sample.map.jacobian(here, &there)?;
         let symbols = searched.family().symbols();
-        // The denominator of H is free of states, so it is a constant factor.
         let potential = self.hamiltonian.numerator();
         let first: Vec<Polynomial> = (0..n).map(|i| potential.derivative(symbols.state(i))).collect();
         let slopes: Vec<u64> =
@@ -274,9 +270,8 @@ impl Hamiltonian {
     /// states.
     ///
     /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε is an integral of the map (Celledoni,
-    /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013). `None` if I − ε
-    /// f′ is singular at ε, or if H̃ has more than 1500 terms. A common factor may remain where it
-    /// is expensive to find.
+    /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013). Returns `None`
+    /// if I − ε f′ is singular at ε, or if H̃ has more than 1500 terms. A common factor may remain.
     #[must_use]
     pub fn modified(&self, searched: &SearchField, field: &Field) -> Option<(Polynomial, Polynomial)> {
         let symbols = &field.symbols;

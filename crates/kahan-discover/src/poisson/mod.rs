@@ -1,5 +1,5 @@
-//! Poisson structures: constant structures, which give modified Hamiltonians, and invariant
-//! brackets of the map.
+//! Constant Poisson structures, which give modified Hamiltonians, and invariant brackets of the
+//! map.
 
 pub(crate) mod brackets;
 pub mod hamiltonian;

@@ -15,7 +15,7 @@ use crate::modular::subspace::tidy;
 use crate::poisson::hamiltonian::{Hamiltonian, hamiltonians};
 use crate::report::ModifiedPlace;
 
-/// The number of characters above which a much shorter compact form may replace a formula.
+/// A compact form may replace a formula with more characters than this.
 const LONG: usize = 1000;
 
 /// A compact form may replace a formula that is at least this many times as long.
@@ -23,13 +23,12 @@ const FAR_SHORTER: usize = 4;
 
 pub(crate) struct Modified {
     pub(crate) found: Hamiltonian,
-    /// Numerator and denominator of the modified Hamiltonian, if within the budget.
+    /// The numerator and denominator of the modified Hamiltonian, if within the budget.
     pub(crate) written: Option<(Polynomial, Polynomial)>,
 }
 
 impl Modified {
-    /// Finds the modified Hamiltonians, by ascending number of terms. Those beyond the budget come
-    /// last.
+    /// Finds the modified Hamiltonians, by ascending number of terms.
     pub(crate) fn all(
         searched: &SearchField,
         field: &Field,
@@ -50,8 +49,7 @@ impl Modified {
     }
 }
 
-/// Adds modified Hamiltonians that are proved and independent. Returns for each modified
-/// Hamiltonian whether it is proved.
+/// Adds modified Hamiltonians that are proved and independent. Returns whether each is proved.
 pub(crate) fn add_modified(
     all: &[Modified],
     searched: &SearchField,
@@ -95,8 +93,8 @@ pub(crate) struct Gradients<'a> {
 }
 
 impl Gradients<'_> {
-    /// Chooses the form of each modified Hamiltonian. If it is independent, it is reported on its
-    /// own. Otherwise it may replace the longest formula that it implies, or it is omitted.
+    /// Chooses the form of each modified Hamiltonian. An independent one is reported on its own.
+    /// Another one may replace the longest formula that it implies, or is omitted.
     pub(crate) fn places(
         &self,
         all: &[Modified],
@@ -107,8 +105,8 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // Returns the rank of the formulas, the bases and the compact forms. The formula with
-            // index `but` is left out. If `with_own`, the modified Hamiltonian is included.
+            // Returns the rank of formulas without index `but`, bases, compact forms, and perhaps
+            // the modified Hamiltonian.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

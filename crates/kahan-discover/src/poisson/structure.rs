@@ -1,5 +1,4 @@
-//! Structure of the field f: divergence, linear and quadratic integrals, and whether det(I − t f′)
-//! is even in t.
+//! Structure of the field f: divergence, linear and quadratic integrals, evenness of det(I − t f′).
 
 use kahan_algebra::field::Field;
 use kahan_algebra::modified_integrals::{ModifiedIntegral, Rule, modified_integrals};
@@ -27,9 +26,10 @@ pub fn divergence(field: &Field) -> RationalFunction {
     })
 }
 
-/// Returns whether det(I − t f′(x)) is even in t, at three random points modulo a prime. If so,
-/// dx/det A(x,ε) with A = I − ε f′ is an invariant measure, because det ∂x̃/∂x = det A(x̃,−ε)/det
-/// A(x,ε).
+/// Returns whether det(I − t f′(x)) is even in t, at three random points modulo a prime.
+///
+/// Then dx/det A(x,ε) with A = I − ε f′ is an invariant measure, because det ∂x̃/∂x = det
+/// A(x̃,−ε)/det A(x,ε).
 pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
@@ -40,7 +40,7 @@ pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     })
 }
 
-/// The number of variables up to which the search finds all integrals of degree 2 within seconds.
+/// The most variables for which the search finds all integrals of degree 2 within seconds.
 const FEW_VARIABLES: usize = 10;
 
 /// Integrals P/Q of the map that follow from the field by linear algebra.
@@ -49,8 +49,7 @@ pub(crate) struct ByRules {
     /// Integrals that are accepted before the search for other integrals.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
     /// The integrals that the search may replace by integrals of equal degree with a common
-    /// denominator. The list contains integrals by rotation in few variables, and integrals of
-    /// linear fields.
+    /// denominator.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 
@@ -94,19 +93,18 @@ impl ByRules {
     }
 }
 
-/// Polynomial integrals of the flow of the field, ẋ = f(x).
+/// Polynomial integrals of the flow of the field.
 #[derive(Clone, Debug, Default)]
 pub struct FlowIntegrals {
-    /// Functionally independent integrals. The lowest degrees come first.
+    /// Independent integrals by ascending degree.
     pub found: Vec<Polynomial>,
-    /// The degree up to which the list is complete, which may be lower than requested.
+    /// The degree up to which the list is complete, perhaps lower than requested.
     pub degree: u32,
 }
 
 impl FlowIntegrals {
-    /// Returns the integrals of the flow that the map preserves unchanged, tested at one point
-    /// modulo a prime. The map preserves all linear integrals. For a linear field, it preserves all
-    /// integrals.
+    /// Returns the integrals of the flow that the map preserves unchanged, as tested at one point
+    /// modulo a prime.
     #[must_use]
     pub fn kept(&self, searched: &SearchField, random: &mut SplitMix64) -> Vec<Polynomial> {
         let Some(step) = searched.step(random) else { return Vec::new() };
@@ -114,11 +112,11 @@ impl FlowIntegrals {
     }
 }
 
-/// The most monomials of an integral; the cost grows with the cube of their number.
+/// The most monomials of an integral. The cost grows with the cube of their number.
 const MOST_MONOMIALS: usize = 900;
 
-/// Finds independent polynomial integrals P of the flow up to a degree, from ∇P·f = 0. The equation
-/// is solved modulo primes at random parameters, and the coefficients of P are reconstructed.
+/// Finds independent polynomial integrals P of the flow up to a degree from ∇P·f = 0. The equation
+/// is solved modulo primes at random parameters.
 pub fn flow_integrals(
     searched: &SearchField,
     degree: u32,

@@ -1,5 +1,5 @@
-//! Curves (surfaces in three variables) that a map may send to infinity or contract. The curves are
-//! factors of the map's denominator and of the map's Jacobian determinant, in lowest terms.
+//! Curves (surfaces in three variables) that a map may send to infinity or contract: factors of the
+//! map's denominator and Jacobian determinant.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{RationalMap, maximal_minors};
@@ -11,18 +11,16 @@ use crate::maps::search_field::SearchField;
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
-/// The map in lowest terms, possibly at a fixed ε, and the curves to follow.
+/// The map in lowest terms, and the curves to follow.
 pub(crate) struct Curves {
     pub(crate) components: Vec<Polynomial>,
     pub(crate) factors: Vec<Polynomial>,
-    /// Whether the factors of the Jacobian determinant are included. The factors are left out if
-    /// the determinant is too long to expand.
+    /// Whether the factors of the Jacobian determinant are included. A very long one is left out.
     pub(crate) has_jacobian: bool,
 }
 
 impl Curves {
-    /// Lists the curves that the map may send to infinity or contract. `None` if the map is beyond
-    /// the budget.
+    /// Lists the curves that the map may send to infinity or contract.
     pub(crate) fn of(field: &Field, searched: &SearchField) -> Option<Self> {
         let symbols = &field.symbols;
         let components = components(field, searched)?;
@@ -38,8 +36,7 @@ impl Curves {
     }
 }
 
-/// Returns the map N₁/D … Nₙ/D in lowest terms as N₁ … Nₙ, D, at the fixed ε if any. `None` beyond
-/// the budget.
+/// Returns the map N₁/D … Nₙ/D in lowest terms as N₁ … Nₙ, D.
 pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Polynomial>> {
     let reduced = RationalMap::of(field)?.reduced;
     let mut components = reduced.numerators(&field.symbols);
@@ -52,8 +49,8 @@ pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Po
     Some(components)
 }
 
-/// Returns Dⁿ⁺¹ det ∂x̃/∂x for the map x̃ = N/D. Returns `None` beyond the budget. The result is
-/// computed as the determinant of the rows (∂F/∂x₁ … ∂F/∂xₙ, F) for F = N₁ … Nₙ, D.
+/// Returns Dⁿ⁺¹ det ∂x̃/∂x for the map x̃ = N/D, as the determinant of the rows (∂F/∂x₁ … ∂F/∂xₙ,
+/// F) for F = N₁ … Nₙ, D.
 pub(crate) fn jacobian(field: &Field, components: &[Polynomial], budget: &mut Budget) -> Option<Polynomial> {
     let row = |component: &Polynomial| {
         let slopes = (0..field.dimension()).map(|i| component.derivative(field.symbols.state(i)));

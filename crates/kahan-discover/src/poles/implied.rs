@@ -1,17 +1,15 @@
-//! Computes the degrees of iterates that singularity patterns imply, whether or not the patterns
-//! are confined.
+//! Computes the degrees of iterates that singularity patterns imply, confined or not.
 //!
-//! The n-th iterate is restricted to a generic line. Zₙ(C) counts points of the line that reach the
-//! curve C at step n, before any other followed curve. Later arrivals follow from the patterns:
-//! (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·(order to which B meets C after k steps), summed over
-//! curves B and k. Let d be the degree of the map. Common factors are then divided out: dₙ₊₁ = d·dₙ
-//! − Σ Zₙ₋ₖ(B)·(power of δ shared in B's step after k). (Halburd, Proc. R. Soc. A 473, 2017, for
-//! mappings of second order.)
+//! Iterate n is restricted to a generic line. Let Zₙ(C) count the points of the line that reach the
+//! curve C at step n before any other followed curve. The patterns determine later arrivals:
+//! (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·(order to which B meets C after k steps), over curves B and
+//! k. For a map of degree d, shared powers of δ cancel: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power shared in
+//! B's step after k). Source: Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order.
 
 use super::jet::Image;
 
-/// Returns d₀, d₁, … for a map of this degree. Each of the curves has a degree and images. The list
-/// is as long as the images determine.
+/// Returns d₀, d₁, … for a map of this degree, as far as the images of the curves determine them.
+/// Each curve has a degree and images.
 pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
     let steps = curves.iter().map(|(_, images)| images.len()).min()?;
     let mut degrees = vec![1usize];
@@ -28,8 +26,8 @@ pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec
     Some(degrees)
 }
 
-/// Returns Σ Zₘ(B) · `weight`(image of B after n − m steps) over all earlier steps m and all curves
-/// B. Zₘ(B) is the number of points that first reach B at step m.
+/// Returns Σ Zₘ(B) · `weight`(image of B after n − m steps) over all earlier steps m and curves B,
+/// where Zₘ(B) points first reach B at step m.
 fn later(
     first_times: &[Vec<usize>],
     curves: &[(usize, &[Image])],

@@ -1,10 +1,9 @@
-//! Jets of a curve (or surface) modulo a prime: a point is moved by δ off the curve and followed
-//! through poles.
+//! Jets of a curve (or surface) modulo a prime, which are followed through poles.
 //!
 //! A generic point of the curve is moved by δ in a random direction. The map acts on homogeneous
-//! coordinates [X : W], which are power series in δ. After every step, shared powers of δ are
-//! divided out. At δ = 0 the result is the image of the point. The image and its derivatives along
-//! the curve span a space whose dimension is one more than that of the curve's image.
+//! coordinates [X : W], which are power series in δ. After every step, shared powers of δ cancel.
+//! At δ = 0 the result is the image of the point. The image and its derivatives along the curve
+//! span a space of one dimension more than the curve's image.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -16,16 +15,15 @@ use crate::maps::parametric_field::evaluate;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 
-/// Homogeneous polynomials at sampled parameters and ε. Each polynomial consists of terms c · ∏
-/// Xᵢ^eᵢ, where the last exponent is that of W.
+/// Homogeneous polynomials at sampled parameters and ε. The terms are c · ∏ Xᵢ^eᵢ, where the last
+/// exponent is that of W.
 pub(crate) struct Homogeneous {
     modulus: Modulus,
     components: Vec<Vec<(u64, Vec<u32>)>>,
     degree: u32,
 }
 
-/// A point of a curve in homogeneous coordinates, W last, with a basis of the tangent vectors at
-/// the point.
+/// A point of a curve in homogeneous coordinates, W last, with a basis of the tangent vectors.
 pub(crate) struct Place {
     point: Vec<u64>,
     tangents: Vec<Vec<u64>>,
@@ -34,28 +32,26 @@ pub(crate) struct Place {
 /// The image of a curve after some steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
-    /// The dimension of the image. The image is a curve again if its dimension is one less than the
-    /// number of variables.
+    /// The dimension of the image. A curve has one dimension less than the number of variables.
     pub dimension: usize,
     /// Whether the image lies at infinity.
     pub is_infinite: bool,
     /// The power of δ that all homogeneous coordinates of the moved point shared after the last
     /// step.
     pub shared: usize,
-    /// For each followed curve, the order in δ to which the image of the moved point meets the
-    /// curve.
+    /// The order in δ to which the image of the moved point meets each followed curve.
     pub contacts: Vec<usize>,
 }
 
 /// The reason why the image of a curve is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoImage {
-    /// All known coefficients of the power series vanish; longer series may decide.
+    /// All known coefficients of the power series vanish, but longer series may decide.
     TooShort,
     SpecialPoint,
 }
 
-/// The names of states and parameters, and the values of the parameters in order and of ε.
+/// The names of states and parameters, and the values of the parameters and of ε.
 pub(crate) struct Values<'a> {
     pub(crate) symbols: &'a Symbols,
     pub(crate) parameters: &'a [u64],
@@ -63,7 +59,7 @@ pub(crate) struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// Sorts a polynomial by monomials in the states. `None` if the prime divides a denominator.
+    /// Sorts a polynomial by monomials in the states.
     fn terms(&self, modulus: &Modulus, polynomial: &Polynomial) -> Option<Vec<(u64, Vec<u32>)>> {
         let value = |variable: Variable| match self.symbols.symbol(variable) {
             Symbol::Parameter(k) => self.parameters[k],
@@ -86,8 +82,8 @@ impl Homogeneous {
         Self::of(modulus, components, values, |_| degree)
     }
 
-    /// Makes a homogeneous component of each curve, whose degree is that of the curve. Appends the
-    /// coordinate W as a last component; its zeros are the points at infinity.
+    /// Makes each curve homogeneous in its own degree. Appends the coordinate W, whose zeros are
+    /// the points at infinity.
     pub(crate) fn curves(modulus: Modulus, curves: &[Polynomial], values: &Values<'_>) -> Option<Self> {
         let mut all = Self::of(modulus, curves, values, |curve| values.symbols.degree(curve))?;
         let exponents = (0..=values.symbols.dimension()).map(|i| u32::from(i == values.symbols.dimension()));
@@ -113,7 +109,7 @@ impl Homogeneous {
         Some(Homogeneous { modulus, components, degree: polynomials.iter().map(degree).max().unwrap_or(0) })
     }
 
-    /// Returns the images of the curve after 1, 2, … `steps` steps. The power series have the given
+    /// Returns the images of the curve after 1, 2, … `steps` steps, from power series of this
     /// length.
     pub(crate) fn follow(
         &self,
@@ -145,7 +141,6 @@ impl Homogeneous {
         Ok(images)
     }
 
-    /// Moves the point, with its tangent vectors, by δ in a random direction.
     fn moved(&self, place: &Place, length: usize, random: &mut SplitMix64) -> Vec<Series> {
         let series = |(i, value): (usize, &u64)| {
             let slopes: Vec<u64> = place.tangents.iter().map(|tangent| tangent[i]).collect();
@@ -185,8 +180,7 @@ impl Homogeneous {
 }
 
 impl Place {
-    /// Returns a random zero of a polynomial. `None` if no zero is found, or if the gradient is 0
-    /// there.
+    /// Returns a random zero of a polynomial at which the gradient is not 0.
     pub(crate) fn on(
         modulus: &Modulus,
         curve: &Polynomial,

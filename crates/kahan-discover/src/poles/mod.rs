@@ -1,11 +1,10 @@
 //! Maps at their poles: curves (surfaces in three variables) that are sent to infinity or
 //! contracted.
 //!
-//! The input is a system, and the output is a [`Pattern`] for each curve. A curve is *blown down*
-//! if its image has a lower dimension. The singularity is *confined* after k steps if the k-th
-//! image is a curve again. Results must agree modulo two primes at random parameters, ε and points.
-//! Confinement alone proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett. 81, 1998)
-//! confines and is chaotic. So the degrees of iterates are reported, too.
+//! A curve is *blown down* if its image has a lower dimension. The singularity is *confined* after
+//! k steps if image k is a curve again. Results must agree modulo two primes at random parameters,
+//! ε and points. Confinement alone proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett.
+//! 81, 1998) confines and is chaotic. So the degrees of iterates are reported, too.
 
 pub(crate) mod curves;
 mod implied;
@@ -34,16 +33,14 @@ use jet::{Homogeneous, NoImage, Place, Values};
 /// The singularity pattern of one curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pattern {
-    /// The polynomial that vanishes on the curve. `None` for the points at infinity.
+    /// The polynomial that vanishes on the curve, or `None` for the points at infinity.
     pub curve: Option<Polynomial>,
-    /// The images of the curve after 1, 2, … steps. The list is empty if two primes disagree or
-    /// yield no images.
+    /// The images of the curve after 1, 2, … steps, or none if two primes disagree.
     pub images: Vec<Image>,
-    /// The number of steps until the image is a curve again. If it never is, the number of steps
-    /// followed.
+    /// The number of steps until the image is a curve again, or else the number of steps followed.
     pub steps: usize,
-    /// Whether an image of the curve is a curve again. `None` if undecided or if the primes
-    /// disagree.
+    /// Whether an image of the curve is a curve again, or `None` if two primes disagree or do not
+    /// decide.
     pub confined: Option<bool>,
 }
 
@@ -52,16 +49,16 @@ pub struct Pattern {
 pub struct Poles {
     /// The names of states and parameters.
     pub symbols: Symbols,
-    /// A pattern for each curve that was followed.
+    /// The patterns of the followed curves.
     pub patterns: Vec<Pattern>,
     /// The number of steps for which curves were followed.
     pub bound: usize,
-    /// Whether all curves that are blown down are listed. Some Jacobian determinants are too long
-    /// to factor.
+    /// Whether all curves that are blown down are listed. Long Jacobian determinants are not
+    /// factored.
     pub is_complete: bool,
     /// The measured degrees d₀, d₁, … of the iterates.
     pub degrees: Vec<usize>,
-    /// The degrees that the patterns imply. `None` if a pattern is undecided or missing.
+    /// The degrees that the patterns imply, or `None` if a pattern is undecided or missing.
     pub implied_degrees: Option<Vec<usize>>,
 }
 
@@ -79,25 +76,23 @@ impl Pattern {
     }
 }
 
-/// The length of the power series that is tried first.
 const SHORTEST: usize = 12;
-/// The greatest length of the power series.
 const LONGEST: usize = 200;
 
-/// The most samples of parameters, ε and a point of the curve. Several may be needed, since some
-/// lines do not meet the curve modulo the prime.
+/// The most samples of parameters, ε and a point of the curve. Some lines do not meet the curve.
 const MOST_SAMPLES: usize = 40;
 
 /// The share of the time for degrees of iterates.
 const FOR_DEGREES: f64 = 0.4;
 
-/// Follows curves that a system's map sends to infinity or contracts, for a number of steps. Only
-/// these options have an effect: fixed values, and the limits on degrees and time. `watch` is told
+/// Follows curves that a system's map sends to infinity or contracts, for a number of steps.
+///
+/// Of the options, fixed values and the limits on degrees and time have an effect. `watch` is told
 /// of every curve before the curve is followed. Equal fields and options give equal results, unless
 /// time runs out.
 ///
 /// # Errors
-/// If the field has no invertible map, or if the closed form of the map is beyond the budget of
+/// Returns an error if the field has no invertible map, or if the map is beyond the budget of
 /// terms.
 pub fn poles(
     system: &System,
@@ -143,7 +138,7 @@ pub fn poles(
     let degree = curves.components.iter().map(|component| symbols.degree(component)).max().unwrap_or(0);
     let is_decided = is_complete && patterns.iter().all(|pattern| pattern.confined.is_some());
     let implied_degrees = if is_decided { implied::degrees(degree as usize, &with_degrees) } else { None };
-    // Every map has points at infinity, so list these only if they are blown down.
+    // Every map has points at infinity, so they are listed only if they are blown down.
     patterns.retain(|pattern| pattern.curve.is_some() || pattern.is_blown_down());
     Ok(Poles { symbols, patterns, bound: steps, is_complete, degrees, implied_degrees })
 }
@@ -169,9 +164,8 @@ impl Follower<'_> {
         Pattern { curve, images: decided.unwrap_or_default(), steps, confined }
     }
 
-    /// Returns the images of a curve modulo one prime. `None` if the power series were too short or
-    /// the deadline passed. A curve may split over a larger field and then have no points, so every
-    /// sample has its own prime.
+    /// Returns the images of a curve modulo one prime. A curve may have points modulo few primes,
+    /// so every sample has its own prime.
     fn images(&self, curve: Option<&Polynomial>, random: &mut SplitMix64) -> Option<Vec<Image>> {
         let mut length = SHORTEST;
         for _ in 0..MOST_SAMPLES {

@@ -4,7 +4,7 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use crate::modular::modulus::Modulus;
 
-/// Returns a root of a polynomial, whose constant term comes first. `None` if there is no root.
+/// Returns a root of a polynomial whose constant term comes first.
 pub(crate) fn root(modulus: &Modulus, coefficients: &[u64], random: &mut SplitMix64) -> Option<u64> {
     let residues: Vec<u64> = coefficients.iter().map(|entry| modulus.residue(*entry)).collect();
     let sample = || modulus.residue(modulus.sample(random));
@@ -23,7 +23,7 @@ mod tests {
             if value < 0 { modulus.opposite(size) } else { size }
         };
         let of = |coefficients: &[i64]| coefficients.iter().map(|&c| number(c)).collect::<Vec<_>>();
-        // The polynomial is (x − 2)(x − 3)(x + 5)(x² + 1); −1 is not a square modulo 2⁶¹ − 1.
+        // The polynomial is (x − 2)(x − 3)(x + 5)(x² + 1), and −1 is not a square modulo 2⁶¹ − 1.
         let found = root(&modulus, &of(&[30, -19, 30, -18, 0, 1]), &mut random).unwrap();
         assert!([2, 3, -5].map(number).contains(&found));
         assert_eq!(root(&modulus, &of(&[1, 0, 1]), &mut random), None);

@@ -1,11 +1,11 @@
 //! Truncated power series in δ modulo a prime, with their derivatives along a curve or surface.
 //!
-//! A series depends on a point of the curve. Row 0 holds the coefficients at a chosen point. Each
-//! further row holds the derivatives of the coefficients along one tangent vector.
+//! Row 0 of a series holds the coefficients at a point of the curve. Each further row holds the
+//! derivatives of the coefficients along one tangent vector.
 
 use crate::modular::modulus::Modulus;
 
-/// The series Σ cₖ δᵏ for k below [`Series::length`], with the derivatives of every coefficient cₖ.
+/// The series Σ cₖ δᵏ, with the derivatives of every coefficient cₖ.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
     pub(crate) rows: Vec<Vec<u64>>,
@@ -25,8 +25,7 @@ impl Series {
         self.rows[0].len()
     }
 
-    /// Returns the least k for which the coefficient of δᵏ is not 0. `None` if all known
-    /// coefficients are 0.
+    /// Returns the least k for which the coefficient of δᵏ is known and not 0.
     pub(crate) fn order(&self) -> Option<usize> {
         self.rows[0].iter().position(|&coefficient| coefficient != 0)
     }
@@ -39,7 +38,6 @@ impl Series {
         }
     }
 
-    /// Multiplies series of equal length. The derivatives follow the product rule.
     pub(crate) fn times(&self, modulus: &Modulus, other: &Series) -> Series {
         let (a, b) = (&self.rows[0], &other.rows[0]);
         let mut rows = vec![product(modulus, a, b)];
@@ -50,8 +48,7 @@ impl Series {
         Series { rows }
     }
 
-    /// Divides by δ^power. `None` at a special point, where a lower coefficient has a nonzero
-    /// derivative.
+    /// Divides by δ^power. Returns `None` where a lower coefficient has a nonzero derivative.
     pub(crate) fn divided(mut self, power: usize) -> Option<Series> {
         for row in &mut self.rows {
             if row.drain(..power).any(|coefficient| coefficient != 0) {

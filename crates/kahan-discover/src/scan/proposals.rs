@@ -1,5 +1,4 @@
-//! Relations between parameters that a grid suggests, and the claims that are proved if a relation
-//! holds.
+//! Relations between parameters that a grid suggests, with claims that hold under the relations.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
@@ -27,14 +26,12 @@ pub struct Proposal {
     pub relation: String,
     /// The number of grid points that satisfy the relation.
     pub points: usize,
-    /// The most frequent degrees and ranks among the points of the relation with the fewest
-    /// integrals.
+    /// The most frequent degrees and ranks among the points with the fewest integrals.
     pub sight: DegreesAndRanks,
-    /// Proved claims, ready to paste, that hold only if the relation holds.
+    /// Proved claims, ready to paste, that hold only under the relation.
     pub claims: Vec<String>,
 }
 
-/// Returns the relations that the grid suggests, with claims proved before the deadline.
 pub(super) fn proposals(
     system: &System,
     scan: &Scan,
@@ -43,8 +40,7 @@ pub(super) fn proposals(
     deadline: &Deadline<'_>,
 ) -> Vec<Proposal> {
     let symbols = &system.field.symbols;
-    // Points without observed ranks carry no information, nor do points with ε = 0, where the map
-    // is the identity.
+    // Points without observed ranks carry no information. At ε = 0 the map is the identity.
     let zero_step = |values: &[Rational]| {
         scan.names.iter().zip(values).any(|(name, value)| name == "eps" && value.is_zero())
     };
@@ -85,8 +81,8 @@ fn usual<'a>(sights: impl Iterator<Item = &'a DegreesAndRanks>) -> Option<&'a De
     counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
 }
 
-/// Writes the equation that sets a polynomial to zero. Prefers a name with coefficient ±1 on the
-/// left, then a number on the right, then negative terms on the right.
+/// Writes the equation that sets a polynomial to zero. A name with coefficient ±1 stands on the
+/// left if possible.
 fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let is_linear = polynomial.degree() == 1;
     let mut terms = polynomial.terms();
@@ -112,8 +108,7 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     format!("{} = {}", text(&left), text(&right))
 }
 
-/// A search for formulas under relations. The search proves the formulas as claims about the given
-/// field.
+/// A search for formulas under relations, as claims about the given field.
 struct Prover<'a> {
     system: &'a System,
     options: &'a Options,
@@ -137,8 +132,7 @@ impl<'a> Prover<'a> {
         }
     }
 
-    /// Proves claims that hold where the polynomial vanishes, and not elsewhere. The search takes
-    /// at most `seconds`.
+    /// Proves claims that hold only where the polynomial vanishes, within `seconds`.
     fn prove(&mut self, polynomial: &Polynomial, relation: &str, seconds: f64) -> Vec<String> {
         let Some((system, options)) = self.restricted(polynomial, seconds) else { return Vec::new() };
         let found = discover_within(&system, &options, self.work, &|_, _| ());
@@ -147,10 +141,10 @@ impl<'a> Prover<'a> {
         formulas.filter_map(|formula| self.claim(formula, relation)).collect()
     }
 
-    /// Restricts the system to zeros of the polynomial, by eliminating a parameter or fixing ε.
+    /// Restricts the system to zeros of the polynomial. Eliminates a parameter or fixes ε.
     fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
-        // Fix the degree so that each search ends early, since a scan has many relations.
+        // With a fixed degree each search ends early, since a scan has many relations.
         let degree = Some(self.options.degree.unwrap_or_else(|| default_degree(symbols.dimension())));
         let mut options = Options { seconds, degree, ..self.options.clone() };
         let mut relations = Relations::default();
@@ -160,16 +154,14 @@ impl<'a> Prover<'a> {
             options.eps = Some(value.as_polynomial()?.as_constant()?);
             return Some((System { claims: Vec::new(), ..self.system.clone() }, options));
         }
-        // Terms may be missing: a field may contain only even powers of ε, while a relation
-        // contains odd powers.
+        // The field may contain only even powers of ε, and the relation odd powers.
         let is_free = !value.numerator().contains(symbols.epsilon())
             && !value.denominator().contains(symbols.epsilon());
         let system = is_free.then(|| self.system.on(&relations))??;
         Some((system, options))
     }
 
-    /// Claims the formula under the relation. `None` if the claim is unproved, or if it holds
-    /// without the relation.
+    /// Claims the formula under the relation, unless the formula holds without the relation.
     fn claim(&mut self, formula: &Formula, relation: &str) -> Option<String> {
         let ClaimBody::Function(value) = &formula.claim.body else { return None };
         let value = Text.expression(value);
@@ -196,7 +188,6 @@ impl<'a> Prover<'a> {
         Some(on_relation)
     }
 
-    /// Returns the first unused name among H1, H2, … or rho, rho2, ….
     fn free_name(&self, kind: ClaimKind) -> String {
         let name = |index: usize| match (kind, index) {
             (ClaimKind::Integral | ClaimKind::Drift, _) => format!("H{index}"),

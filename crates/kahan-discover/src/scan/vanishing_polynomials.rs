@@ -1,9 +1,9 @@
-//! Finds polynomials of low degree in the scanned parameters that vanish at special grid points
-//! only.
+//! Finds polynomials of low degree in the scanned parameters that vanish only at special grid
+//! points.
 //!
 //! Simple polynomials come first: a single value, linear polynomials, two monomials. Special points
-//! where an earlier polynomial vanishes are no evidence for later polynomials. Numbers are residues
-//! modulo a prime of 61 bits, where small rational numbers remain distinct.
+//! at which an earlier polynomial vanishes are no evidence for later ones. Numbers are residues
+//! modulo a prime of 61 bits.
 
 use std::collections::BTreeSet;
 
@@ -23,8 +23,7 @@ pub(super) struct Grid {
 
 /// A polynomial that vanishes at special points only.
 pub(super) struct VanishingPolynomial {
-    /// The polynomial. In the polynomial, the variable with index k stands for the scanned
-    /// parameter k.
+    /// The polynomial, whose variable with index k stands for the scanned parameter k.
     pub(super) polynomial: Polynomial,
     /// The special points at which the polynomial vanishes.
     pub(super) points: Vec<usize>,
@@ -32,22 +31,18 @@ pub(super) struct VanishingPolynomial {
 
 /// The number of zeros required beyond the number of coefficients of a polynomial.
 const SPARE_POINTS: usize = 2;
-/// The highest probability of a coincidence, which is (share of special points)^(zeros −
-/// coefficients).
+/// The highest probability (share of special points)^(zeros − coefficients) of a coincidence.
 const CHANCE: f64 = 0.01;
 /// The number of random choices of points through which linear polynomials are tried.
 const SAMPLES: usize = 3000;
 const MOST_NAMES: usize = 4;
-/// The highest degree of a monomial.
 const HIGHEST_DEGREE: u32 = 3;
-/// The largest numerator and denominator of a coefficient.
 const LARGEST: u64 = 1000;
-/// The most special points from which candidates are made. The candidates are checked at all
-/// points.
+/// The most special points from which candidates are made.
 const MOST_POINTS: usize = 600;
 
-/// Finds polynomials that explain special points at which no polynomial of `known` vanishes. The
-/// simplest polynomials come first.
+/// Finds polynomials that explain special points at which no polynomial of `known` vanishes, the
+/// simplest first.
 pub(super) fn vanishing_polynomials(grid: &Grid, known: &[VanishingPolynomial]) -> Vec<VanishingPolynomial> {
     let mut search = Search::new(grid);
     search.open.retain(|at| known.iter().all(|shape| !shape.points.contains(at)));
@@ -91,8 +86,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Tries linear polynomials through random unexplained points. Polynomials in few parameters
-    /// come first.
+    /// Tries linear polynomials through random unexplained points, first in few parameters.
     fn linear(&mut self) {
         let mut random = SplitMix64::new(0);
         for size in 2..=self.names.len().min(MOST_NAMES) {
@@ -137,8 +131,8 @@ impl<'a> Search<'a> {
         Some(Polynomial::from_terms(monomials.zip(coefficients)).primitive_part())
     }
 
-    /// Tries equations m = c m′ for coprime monomials m and m′. The number c is the most frequent
-    /// quotient at unexplained points.
+    /// Tries equations m = c m′ for coprime monomials m and m′, where the number c is the most
+    /// frequent quotient at unexplained points.
     fn two_monomials(&mut self) {
         let monomials = Monomials::new(self.names.len(), HIGHEST_DEGREE);
         let mut pairs: Vec<(usize, usize)> = (0..monomials.len())
@@ -179,7 +173,6 @@ impl<'a> Search<'a> {
         self.small(longest[0])
     }
 
-    /// Returns the small rational number with this residue.
     fn small(&self, residue: u64) -> Option<Rational> {
         let value =
             rational_from_residue(&self.modulus.residue(residue).into(), &self.modulus.prime().into())?;

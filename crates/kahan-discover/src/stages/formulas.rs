@@ -1,4 +1,4 @@
-//! Searches formulas of integrals. Integrals without formulas are given by bases and compact forms.
+//! Searches formulas of integrals, and bases and compact forms of other integrals.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -28,13 +28,11 @@ pub(super) struct Integrals {
     pub(super) bases: Vec<Basis>,
     /// The number of independent integrals, including integrals without a formula.
     pub(super) independent: usize,
-    /// For each modified Hamiltonian: whether it is proved as a claim, and the form in which it is
-    /// given.
+    /// Whether each modified Hamiltonian is proved as a claim, and the form in which it is given.
     pub(super) modified: Vec<(bool, ModifiedPlace)>,
 }
 
 impl Search<'_> {
-    /// Searches formulas of integrals, and bases for integrals without formulas.
     pub(super) fn integrals(
         &self,
         hilbert: Option<&Hilbert>,
@@ -53,14 +51,13 @@ impl Search<'_> {
         let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
         let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
         let in_compact_forms = self.rank(&own.iter().flatten().cloned().collect::<Vec<_>>());
-        // If bases or compact forms give all integrals, search only short formulas.
+        // Only short formulas are searched if bases or compact forms give all integrals.
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let in_bases = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>();
         let are_enough = in_bases.max(in_compact_forms) >= shown;
         let for_formulas = until.integrals.after_share(SHARE_FOR_FORMULAS);
         let until_formulas = if in_compact_forms >= shown { &for_formulas } else { &until.integrals };
         let reach = if are_enough { FormulaLimits::SHORT } else { FormulaLimits::FULL };
-        // If bases or compact forms give all integrals, omit long formulas.
         let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_READABLE;
         let tell = |formula: &Formula| (self.tell)(&formula.claim, &formula.text);
         let tell_if_short = |formula: &Formula| {
@@ -84,7 +81,7 @@ impl Search<'_> {
         let mut all_integrals = integrals(searched, self.claims, &aims, random, until_formulas);
         let are_proved =
             add_modified(self.modified, searched, self.claims, symbols, &mut all_integrals, random);
-        // Report the modified Hamiltonians, too; `Work::found` ignores repetitions.
+        // `Work::found` ignores repetitions.
         all_integrals.iter().for_each(tell_if_short);
 
         let mut gradients: Vec<Vec<u64>> =
@@ -104,8 +101,7 @@ impl Search<'_> {
                 integrals.push(formula);
             }
         };
-        // Returns whether a formula depends on the modified Hamiltonians and the other formulas
-        // together, but not on the other formulas alone.
+        // Returns whether the modified Hamiltonians make a formula dependent on the others.
         let says_the_same = |formula: &Formula| {
             let mut rows = [&gradients[..], &own.iter().flatten().cloned().collect::<Vec<_>>()].concat();
             let rank = self.rank(&rows);
@@ -149,7 +145,7 @@ impl Search<'_> {
         Echelon::of(modulus, gradients.to_vec(), self.searched.dimension()).rank()
     }
 
-    /// Adds a gradient if it is independent of the earlier gradients. Returns whether it was added.
+    /// Adds a gradient, and returns `true`, if it is independent of the earlier gradients.
     fn extends(&self, gradients: &mut Vec<Vec<u64>>, gradient: Vec<u64>) -> bool {
         gradients.push(gradient);
         let is_independent = self.rank(gradients) == gradients.len();
@@ -159,8 +155,7 @@ impl Search<'_> {
         is_independent
     }
 
-    /// Returns gradients of the integrals at `place`, from the relations on the orbit through
-    /// `place`. The list is empty after the deadline.
+    /// Returns gradients of the integrals at `place`, from the relations on the orbit through it.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);

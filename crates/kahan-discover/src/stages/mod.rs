@@ -27,11 +27,11 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::system::{Claim, System};
 
-/// Finds the structures that the Kahan map of a system's field preserves. Only the equations are
-/// used; the claims of the system are ignored.
+/// Finds the structures that the Kahan map of a system's field preserves. The claims of the system
+/// are ignored.
 ///
-/// `watch` is told of every stage as it begins, and of each claim as soon as it is proved.
-/// Relations of higher degrees may show more; then a claim may be rewritten and reported again.
+/// `watch` is told of every stage as it begins, and of each proved claim. After relations of a
+/// higher degree, a claim may be rewritten and reported again.
 ///
 /// Equal fields and options give equal results, unless time runs out. Without a given degree, the
 /// search continues to higher degrees while integrals may be missing and time is left.
@@ -39,14 +39,13 @@ use kahan_algebra::system::{Claim, System};
 /// machine.
 ///
 /// # Errors
-/// [`DiscoverError`] if the field has no invertible map or too many variables, or for wrong
-/// options.
+/// Returns a [`DiscoverError`] if the field has no invertible map or too many variables, or for
+/// wrong options.
 pub fn discover(system: &System, options: &Options, watch: &dyn Watch) -> Result<Report, DiscoverError> {
     let work = Work::new(watch);
     discover_within(system, options, &work, &|claim, text| work.found(claim, text))
 }
 
-/// Runs [`discover`] as part of another computation. Calls `tell` with each claim and its text.
 pub(crate) fn discover_within(
     system: &System,
     options: &Options,
@@ -88,8 +87,7 @@ pub(crate) fn discover_within(
     let usual = default_degree(searched.dimension());
     let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&searched, degree, random, &for_orbits);
-    // A search at a lower degree, which is the default or half of the given one, takes a fraction
-    // of the time.
+    // A search of lower degree takes a fraction of the time.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
         let lower = if degree > usual { usual } else { degree / 2 };
         hilbert = Hilbert::of(&searched, lower, random, &for_structure);
@@ -234,7 +232,6 @@ struct Deadlines<'a> {
 }
 
 impl<'a> Deadlines<'a> {
-    /// Divides the remaining time in the proportions of the first search.
     fn shares_of(work: &'a Work<'a>, left: f64) -> Self {
         let after = |share: f64| Deadline::after(work, share * left);
         Deadlines { integrals: after(0.7), densities: after(0.9), end: after(1.0) }
@@ -245,7 +242,6 @@ impl<'a> Deadlines<'a> {
     }
 }
 
-/// Returns the system at the given values, without claims.
 pub(crate) fn specialised(
     system: &System,
     parameters: &[(String, Rational)],

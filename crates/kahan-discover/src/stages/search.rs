@@ -1,4 +1,4 @@
-//! Searches formulas, given the relations of some degree.
+//! Searches formulas, given relations of orbits.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -17,8 +17,7 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, brackets, of_structure, 
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The share of the time for formulas, if compact forms give all integrals or a bracket gives the
-/// density.
+/// The share of the time for formulas that compact forms or brackets make less important.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
@@ -31,14 +30,11 @@ pub(super) struct Search<'a> {
     pub(super) proved: &'a [Formula],
     /// Integrals of the flow that the map preserves.
     pub(super) kept: &'a [Polynomial],
-    /// Integrals of the map that follow from the rotation rule.
+    /// Integrals of the map by the rotation rule.
     pub(super) further: &'a [(Polynomial, Polynomial)],
     pub(super) is_even: bool,
-    /// The random point at which independence is tested.
     pub(super) place: &'a SampledStep,
-    /// A callback that receives the name of a stage when the stage begins.
     pub(super) begins: &'a dyn Fn(&str),
-    /// A callback that receives a proved claim and its text.
     pub(super) tell: &'a dyn Fn(&Claim, &str),
 }
 
@@ -61,8 +57,7 @@ impl SearchResult {
 }
 
 impl Search<'_> {
-    /// Searches formulas, bases, densities and brackets. The densities found `before` are used
-    /// again.
+    /// Searches formulas, bases, densities and brackets. Densities of the search `before` are kept.
     pub(super) fn found(
         &self,
         hilbert: Option<&Hilbert>,
@@ -90,7 +85,6 @@ impl Search<'_> {
         SearchResult { of, densities, density_search, tensors, brackets, survivors }
     }
 
-    /// Searches polynomial brackets, unless they were found `before`.
     fn tensors(
         &self,
         before: Option<&SearchResult>,
@@ -100,7 +94,7 @@ impl Search<'_> {
     ) -> Vec<PoissonTensor> {
         let searched = self.searched;
         // In two and three variables the density and the integrals yield all brackets. In three
-        // variables a search up to degree 2 may find shorter brackets.
+        // variables, brackets of degree 2 may be shorter.
         let is_said = searched.dimension() < 4 && integrals + 2 >= searched.dimension();
         let highest = if is_said { 2 } else { u32::MAX };
         match before {
@@ -115,7 +109,7 @@ impl Search<'_> {
         }
     }
 
-    /// Searches an invariant density, unless a density was found `before` or a bracket implies one.
+    /// Searches a density, unless a density was found `before` or follows from a bracket.
     fn densities(
         &self,
         before: Option<&SearchResult>,
@@ -128,8 +122,8 @@ impl Search<'_> {
         let of_tensor =
             tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
-        // A bracket of full rank implies a density. If no density was found from the bracket, the
-        // formula of the density is long.
+        // A bracket of full rank implies a density. The formula is long if no density was found
+        // from the bracket.
         let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
         let for_formulas = until.after_share(SHARE_FOR_FORMULAS);
         let until_densities = if is_implied { &for_formulas } else { until };

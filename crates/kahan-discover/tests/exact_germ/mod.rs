@@ -1,13 +1,13 @@
-//! Computes jets of a curve exactly: a point is moved by δ off the curve, and its images are
-//! rational functions of δ. Tests compare the modular computation with these exact jets.
+//! Exact jets of a curve, for comparison with the modular computation. A point is moved by δ off
+//! the curve, and its images are rational functions of δ.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 
-/// Homogeneous coordinates of the moved point. The coordinates are polynomials in δ and, to first
-/// order, in the parameters of the curve.
+/// Homogeneous coordinates of the moved point, as polynomials in δ. They are linear in the
+/// parameters of the curve.
 pub(crate) struct ExactGerm {
     map: Vec<Polynomial>,
     degree: u32,
@@ -18,8 +18,7 @@ pub(crate) struct ExactGerm {
 }
 
 impl ExactGerm {
-    /// Returns a point of the curve that `seed` determines. `None` if the curve is linear in no
-    /// state.
+    /// Returns the point of the curve that `seed` determines.
     pub(crate) fn on(field: &Field, eps: &Rational, curve: &Polynomial, seed: i64) -> Option<Self> {
         let symbols = &field.symbols;
         let n = field.dimension();
@@ -30,7 +29,6 @@ impl ExactGerm {
         let map: Vec<Polynomial> = map.iter().map(|one| one.substitute(symbols.epsilon(), eps)).collect();
         let degree = map.iter().map(|one| symbols.degree(one)).max()?;
         let solved = (0..n).find(|&i| curve.degree_in(states[i]) == 1)?;
-        // Solve P = below·x + above = 0 for the remaining coordinate x.
         let mut point: Vec<Rational> = (0..n).map(|i| Rational::new(seed + 3 * i as i64, 7)).collect();
         let at = |polynomial: &Polynomial, point: &[Rational]| {
             let free = (0..n).filter(|&i| i != solved);
@@ -39,8 +37,7 @@ impl ExactGerm {
         let below = at(&curve.derivative(states[solved]), &point).as_constant()?;
         let above = at(&curve.substitute(states[solved], &Rational::zero()), &point).as_constant()?;
         point[solved] = -above.checked_div(&below)?;
-        // The variable of the solved state stands for δ, and the other variables for the curve's
-        // parameters.
+        // The variable of the solved state stands for δ, and all others for the curve's parameters.
         let (delta, slopes): (Variable, Vec<Variable>) =
             (states[solved], (0..n).filter(|&i| i != solved).map(|i| states[i]).collect());
         let value = |polynomial: &Polynomial| {
@@ -65,7 +62,6 @@ impl ExactGerm {
         Some(ExactGerm { map, degree, states, delta, slopes, coordinates })
     }
 
-    /// Truncates a polynomial to first order in the curve's parameters.
     fn cut(&self, polynomial: &Polynomial) -> Polynomial {
         let is_kept =
             |monomial: &Monomial| monomial.degree_where(|variable| self.slopes.contains(&variable)) < 2;
@@ -107,8 +103,7 @@ impl ExactGerm {
         self.coordinates.iter().map(at_zero).collect()
     }
 
-    /// Returns the limit of the moved point at δ = 0, scaled to have 1 as its first nonzero
-    /// coordinate.
+    /// Returns the limit of the moved point at δ = 0, with 1 as the first nonzero coordinate.
     pub(crate) fn place(&self) -> Vec<Rational> {
         let values: Vec<Rational> = self.leading().into_iter().map(|row| row[0].clone()).collect();
         let unit = values.iter().find(|value| !value.is_zero()).expect("a projective point").clone();
@@ -119,8 +114,8 @@ impl ExactGerm {
         self.place().last().is_some_and(Rational::is_zero)
     }
 
-    /// Returns the dimension of the curve's image: the rank of the limit at δ = 0 and its
-    /// derivatives, minus 1.
+    /// Returns the dimension of the curve's image: one less than the rank of the limit and its
+    /// derivatives.
     pub(crate) fn dimension(&self) -> usize {
         let mut rows = self.leading();
         let mut rank = 0;

@@ -1,4 +1,4 @@
-//! Texts of fields with known answers, and a watch, for all tests.
+//! Fields with known answers, and a watch.
 
 #![allow(dead_code, unused_imports, reason = "not every test uses all of it")]
 

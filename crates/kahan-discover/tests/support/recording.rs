@@ -7,10 +7,9 @@ use std::time::Duration;
 
 use kahan_discover::{Finding, Progress, Watch};
 
-/// A watch that records its calls, and may end the computation.
 #[derive(Debug, Default)]
 pub(crate) struct Recording {
-    /// The clock, if any, in µs. Each reading advances it by a tenth of a millisecond.
+    /// The clock in µs, which advances by 100 µs at each reading.
     clock: Option<AtomicU64>,
     most_findings: Option<usize>,
     is_ended: AtomicBool,
@@ -23,7 +22,6 @@ impl Recording {
         Recording { clock: Some(AtomicU64::new(0)), ..Recording::default() }
     }
 
-    /// Ends the computation after this number of findings, with or without a clock.
     pub(crate) fn ending_after(self, findings: usize) -> Self {
         Recording { most_findings: Some(findings), ..self }
     }

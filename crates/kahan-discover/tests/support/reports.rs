@@ -10,15 +10,13 @@ pub(crate) fn options() -> Options {
     Options { iterates: 8, iterate_degree: 100, seconds: 3600.0, ..Options::default() }
 }
 
-/// Searches up to the degree in `options`, or else up to the default degree. Higher degrees take
-/// too long.
+/// Searches up to the degree in `options`, or else up to the default degree.
 pub(crate) fn report(text: &str, options: &Options) -> Report {
     let usual = default_degree(system(text).field.dimension());
     searched(text, &Options { degree: options.degree.or(Some(usual)), ..options.clone() })
 }
 
-/// Searches without a limit on degrees if the options give no limit. Checks that each claim is
-/// reported once.
+/// Searches without a limit on degrees if the options give no limit.
 pub(crate) fn searched(text: &str, options: &Options) -> Report {
     let watch = Recording::with_a_clock();
     let report = discover(&system(text), options, &watch).expect("there is a map");
@@ -34,8 +32,7 @@ pub(crate) fn check_lines(text: &str, report: &Report) {
     assert!(reading.diagnostics().is_empty(), "{block}: {:?}", reading.diagnostics());
 }
 
-/// Reports on a field. Asserts the ascending degrees of the integrals, and the degree of the
-/// density.
+/// Reports on a field, and asserts the degrees of integrals and density.
 pub(crate) fn check(text: &str, integrals: &[u32], density: Option<u32>) -> Report {
     check_with(text, &options(), integrals, density)
 }

@@ -1,9 +1,8 @@
 //! The solution x(t) of ẋ = f(x), a reference for orbits of the map.
 //!
-//! In: a field, a point, a time. Out: x(t) as a piecewise polynomial. The pieces are Taylor series
-//! of high order ([`series`]); they are short where the motion is fast or near a pole. Nothing here
-//! uses Kahan's map, so agreement with an orbit is independent evidence. Error bounds are
-//! deliberately absent.
+//! The solution is a piecewise polynomial of Taylor series of high order ([`series`]). The pieces
+//! are short where the motion is fast or near a pole. Kahan's map is not used, so agreement with an
+//! orbit is independent evidence. Error bounds are deliberately absent.
 
 mod piece;
 mod series;
@@ -17,10 +16,9 @@ use series::Expansion;
 pub(crate) use series::SeriesScalar;
 
 /// The solution x(t), 0 ≤ t ≤ [`end`](Self::end), of a quadratic field through a point, computed in
-/// T: `f64` or [`Dd`].
+/// the type T: `f64` or [`Dd`].
 ///
-/// Each piece adds an error of about T's unit roundoff relative to each component. The flow may
-/// amplify these errors.
+/// Each piece adds a relative error of about T's unit roundoff. The flow may amplify these errors.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -75,19 +73,19 @@ impl std::fmt::Display for NoFlow {
 impl std::error::Error for NoFlow {}
 
 impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
-    /// The degree of a piece. For each variable, a piece has one coefficient more.
+    /// The degree of the polynomial pieces.
     pub const DEGREE: usize = T::TERMS;
 
     /// Integrates from `start` to the time `end` > 0, and further by `beyond`·`end` for orbits that
-    /// overshoot. If the solution escapes to infinity after `end`, the flow ends earlier. Before
-    /// each piece calls `go_on` with the number of pieces so far.
+    /// overshoot. Calls `go_on` before each piece with the number of pieces so far. The flow ends
+    /// early if the solution escapes to infinity after `end`.
     ///
     /// A piece costs about 90 evaluations of the bilinear form in `f64`, and 240 in [`Dd`]. The
     /// length of a piece is 0.14 (in `Dd` 0.09) of the distance to the nearest singularity in
     /// complex time.
     ///
     /// # Errors
-    /// [`NoFlow`].
+    /// Returns [`NoFlow`] if the solution escapes before `end`, or if `go_on` returns `false`.
     pub fn through<F, const N: usize>(
         field: &F,
         start: SVector<T, N>,
@@ -114,7 +112,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             flow.pieces.push(Piece::of(&series, t));
             // Steps are of type `f64`, so that sums of many steps are exact in double-double.
             let step = series.reach().min(2.0 * last);
-            // Near a pole each step is a fixed fraction of the remaining time, so that steps shrink
+            // Near a pole each step is a fixed fraction of the remaining time, so steps shrink
             // geometrically.
             if !(x.iter().all(|entry| entry.approximate().is_finite())
                 && step > 1e-9 * (now + *first.get_or_insert(step)))
@@ -145,8 +143,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         Ok(flow)
     }
 
-    /// Restricts distances and the scale to the first `variables` variables, and to times up to
-    /// `end`.
+    /// Restricts distances and the scale to the first `variables` variables, and the scale to times
+    /// up to `end`.
     #[must_use]
     pub fn of_first(self, variables: usize, end: f64) -> Self {
         let size = |t: f64| {
@@ -162,31 +160,30 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         self.end
     }
 
-    /// Returns the scale of relative errors: the largest |xᵢ(t)| over all components i, and over
-    /// times up to the requested `end`.
+    /// Returns the scale of relative errors: the largest |xᵢ(t)| over all components, up to the
+    /// requested end.
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// Returns max ‖f′(x(t))‖∞. ε times this number measures how coarse a step is.
+    /// Returns max ‖f′(x(t))‖∞. This number times ε measures how coarse a step is.
     pub fn slope(&self) -> f64 {
         self.slope
     }
 
-    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Unlike the slope, this
-    /// integral ignores directions in which nothing moves.
+    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Directions without
+    /// motion do not count.
     pub fn turning(&self) -> f64 {
         self.turning
     }
 
-    /// Iterates over the start times of the pieces, beginning with 0. Pieces are short where the
-    /// solution is fast.
+    /// Iterates over the start times of the pieces, beginning with 0.
     pub fn breaks(&self) -> impl ExactSizeIterator<Item = f64> {
         self.pieces.iter().map(|piece| piece.start.into())
     }
 
-    /// Returns x(t). Before the start and after the end, extrapolates the nearest piece. For each
-    /// component, costs about 60 operations in [`Dd`], and 36 in `f64`.
+    /// Returns x(t). Outside of the flow's times, the nearest piece is extrapolated. Each component
+    /// costs about 60 operations in [`Dd`], and 36 in `f64`.
     pub fn at(&self, t: Dd) -> Vec<T> {
         let piece = self.piece_at(t);
         let dimension = piece.coefficients.len() / (T::TERMS + 1);
@@ -196,7 +193,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 
     /// Returns the distance of a point from x(t) in the maximum norm, relative to the
-    /// [`scale`](Self::scale); infinite if a coordinate is NaN.
+    /// [`scale`](Self::scale). The distance is infinite if a coordinate is NaN.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
         self.measure(self.piece_at(t), t, x, &mut vec![T::zero(); x.len()])
     }
@@ -221,8 +218,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 }
 
-/// Computes distances from a flow at increasing times. It neither searches for pieces nor
-/// allocates.
+/// Computes distances from a flow at increasing times without a search for pieces.
 #[derive(Debug)]
 pub(crate) struct FlowDistance<'a, T, const N: usize> {
     flow: &'a Flow<T>,
@@ -240,7 +236,7 @@ impl<T: SeriesScalar, const N: usize> FlowDistance<'_, T, N> {
     }
 }
 
-/// Returns ‖x‖∞; infinite if a coordinate is NaN.
+/// Returns ‖x‖∞, or infinity if a coordinate is NaN.
 pub(crate) fn norm<T: SeriesScalar, const N: usize>(x: &SVector<T, N>) -> f64 {
     let sizes = x.iter().map(|entry| entry.approximate().abs());
     sizes.fold(0.0, |size, entry| if entry.is_nan() { f64::INFINITY } else { entry.max(size) })

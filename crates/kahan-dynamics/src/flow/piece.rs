@@ -7,8 +7,7 @@ use kahan_core::Dd;
 #[derive(Clone, Debug)]
 pub(super) struct Piece<T> {
     pub(super) start: Dd,
-    /// The inverse of the unit of time, a power of 2. The polynomial is in powers of rate·(t −
-    /// start).
+    /// A power of 2. The polynomial is in powers of rate·(t − start).
     rate: f64,
     pub(super) coefficients: Vec<T>,
 }
@@ -19,7 +18,6 @@ impl<T: SeriesScalar> Piece<T> {
         Self { start, rate: series.rate, coefficients }
     }
 
-    /// Evaluates the polynomial at time t by Horner's rule.
     #[inline(always)]
     pub(super) fn value(&self, t: Dd, value: &mut [T]) {
         let s = T::from(t - self.start) * T::from(self.rate);

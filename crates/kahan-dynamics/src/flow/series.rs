@@ -2,13 +2,12 @@
 //!
 //! # Recurrence
 //!
-//! From x(t) = Σ xₖ sᵏ, s = t − t₀, and ẋ = Q(x,x) + Bx + c follows the recurrence
+//! The series x(t) = Σ xₖ sᵏ, s = t − t₀, solves ẋ = Q(x,x) + Bx + c if
 //!
 //! (k + 1) xₖ₊₁ = Σ_{i+j=k} Q(xᵢ,xⱼ) + Bxₖ + [k = 0] c.
 //!
 //! Each coefficient takes one Cauchy product, and no derivative of f beyond f′. The unit of time is
-//! a power of 2 near the radius of convergence, so that coefficients neither overflow nor underflow
-//! for very fast or slow motions.
+//! a power of 2 near the radius of convergence, so that coefficients stay in range.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 
@@ -18,19 +17,18 @@ use super::norm;
 
 /// A scalar for flows, `f64` or [`Dd`], with the length of its Taylor series.
 pub(crate) trait SeriesScalar: FloatScalar + From<f64> + From<Dd> + Into<Dd> {
-    /// The number of terms after x₀. With more terms there are fewer steps, but the cost of a step
-    /// grows with the square of the number. The total cost is least near the number of digits.
+    /// The number of terms after x₀. More terms give fewer steps, but the cost of a step grows with
+    /// the square of this number.
     const TERMS: usize = if Self::SHORT_BITS > f64::SHORT_BITS { 30 } else { 18 };
 
-    /// The fraction h/ρ, where h is the step and ρ the radius of convergence. Relative to the
-    /// solution, the first omitted term is about (h/ρ)^(TERMS + 1): 0.14¹⁹ ≈ 6·10⁻¹⁷ and 0.09³¹ ≈
-    /// 4·10⁻³³.
+    /// The fraction h/ρ for the step h and the radius of convergence ρ. The first omitted term is
+    /// about (h/ρ)^(TERMS + 1): 0.14¹⁹ ≈ 6·10⁻¹⁷ and 0.09³¹ ≈ 4·10⁻³³.
     const PART_OF_RADIUS: f64 = if Self::SHORT_BITS > f64::SHORT_BITS { 0.09 } else { 0.14 };
 }
 
 impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> SeriesScalar for T {}
 
-/// A field ẋ = Q(x,x) + Bx + c with its linear part B and its constant part c.
+/// A field ẋ = Q(x,x) + Bx + c with the linear part B and the constant part c.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion<'a, F, T, const N: usize> {
     field: &'a F,
@@ -43,9 +41,9 @@ pub(super) struct Series<T, const N: usize> {
     /// The coefficients x₀, x₁, … of powers of rate·(t − t₀).
     pub(super) coefficients: Vec<SVector<T, N>>,
     pub(super) rate: f64,
-    /// The radius of convergence, estimated from the last coefficients; infinite if they are 0.
+    /// The estimated radius of convergence, infinite if the last coefficients are 0.
     pub(super) radius: f64,
-    /// The rate ‖ẍ‖∞/‖ẋ‖∞ at which the velocity turns; 0 at rest.
+    /// The rate ‖ẍ‖∞/‖ẋ‖∞ at which the velocity turns, or 0 at rest.
     pub(super) turning: f64,
 }
 
@@ -55,10 +53,10 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
         Self { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
     }
 
-    /// Expands the solution at x₀. `rate` is a guess of 1/ρ, where ρ is the radius of convergence;
-    /// a few trials correct a bad guess. Costs about TERMS²/4 evaluations of the bilinear form.
+    /// Expands the solution at x₀. A few trials correct `rate`, a guess of 1/ρ for the radius of
+    /// convergence ρ. The cost is about TERMS²/4 evaluations of the bilinear form.
     pub(super) fn at(&self, start: SVector<T, N>, rate: f64) -> Series<T, N> {
-        /// A factor whose 30th power is still far from overflow.
+        /// A factor whose 30th power is far from overflow.
         const NEAR: f64 = (1_u64 << 16) as f64;
         const TRIALS: usize = 16;
         let mut rate = power_of_two(rate);
@@ -68,8 +66,7 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
             if (1.0 / NEAR..=NEAR).contains(&size) || norm(&series.coefficients[1]) == 0.0 {
                 break;
             }
-            // If coefficients overflow or underflow, they only show whether the rate is too small
-            // or too large.
+            // Overflow or underflow only shows that the rate is too small or too large.
             rate = power_of_two(match size {
                 size if size == f64::INFINITY => rate / NEAR,
                 size if size > 0.0 => rate / size,
@@ -125,14 +122,13 @@ impl<T: SeriesScalar, const N: usize> Series<T, N> {
     }
 }
 
-/// Estimates the radius of convergence ρ from the last two terms by |xₖ| ~ |x₀|ρ⁻ᵏ, like Jorba and
-/// Zou, Exp. Math. 14 (2005) 99. Unlike there, each component has its own estimate, because a small
-/// component may become important.
+/// Estimates the radius of convergence ρ from the last two terms by |xₖ| ~ |x₀|ρ⁻ᵏ (Jorba and Zou,
+/// Exp. Math. 14 (2005) 99). Each component has its own estimate, because a small component may
+/// become important.
 ///
-/// A step h = pρ, where p is [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), omits about |x_K|h^K
-/// for the last index K. The omitted part may be p^K of the component's size. Each term |xₖ|hᵏ is a
-/// lower bound of the size, also if x₀ = 0. Therefore the largest step that any term allows is
-/// accepted.
+/// A step h = pρ, with p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), omits about |x_K|h^K
+/// for the last index K. The omitted part may be p^K of the component's size, for which each term
+/// |xₖ|hᵏ is a lower bound. Therefore the largest step that any term allows is accepted.
 fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {
@@ -148,8 +144,8 @@ fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     (0..N).map(|i| estimate(i, last).min(estimate(i, last - 1))).fold(f64::INFINITY, f64::min)
 }
 
-/// Returns the power of 2 nearest to a rate, limited so that products do not overflow; 1 if the
-/// rate is 0 or NaN.
+/// Returns the power of 2 nearest to a rate, limited so that products do not overflow. The result
+/// is 1 if the rate is 0 or NaN.
 fn power_of_two(rate: f64) -> f64 {
     let exponent = libm::log2(rate).round();
     if exponent.is_finite() { libm::exp2(exponent.clamp(-400.0, 400.0)) } else { 1.0 }

@@ -1,4 +1,4 @@
-//! Pseudo-arclength continuation of cycles in a parameter or ε; it continues around folds.
+//! Pseudo-arclength continuation of cycles in a parameter or ε, also around folds.
 
 use std::ops::ControlFlow;
 
@@ -33,11 +33,11 @@ impl BranchPoint {
     }
 }
 
-/// The reason why a branch has a point at a value of the parameter.
+/// The reason why a branch has a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BranchPointKind {
-    /// A requested value of the parameter; holds the index of the value.
+    /// A requested value of the parameter, with the index of the value.
     Asked(usize),
     /// A bifurcation.
     Change(BranchChange),
@@ -53,25 +53,25 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// The bifurcations within the range, in the order of the branch.
     pub turns: Vec<ChangePoint>,
-    /// Whether the branch ended inside the range. Reasons are a pole, no convergence, cycles that
-    /// merge, 20 times `steps` steps, or an end by `see`.
+    /// Whether the branch ended inside the range: at a pole, without convergence, where cycles
+    /// merge, after 20 times `steps` steps, or because `see` ended it.
     pub is_cut: bool,
 }
 
-/// A position on the branch: the points, relative to the first cycle's size, then the parameter,
-/// relative to the range. Both are thus comparable.
+/// A position on the branch: the points relative to the first cycle's size, then the parameter
+/// relative to the range.
 pub(super) type BranchPosition = DVector<f64>;
 
 /// Follows a cycle from the parameter value `from` towards `to`, until the parameter leaves the
-/// range. The branch has a point at each of the `steps + 1` equidistant values (after a fold,
-/// again), and intermediate points.
+/// range.
 ///
-/// `map` makes the map at a value of the parameter. `see` receives each cycle as it is found and
-/// may end the branch. Bifurcations are located by bisection. If two bifurcations within one step
-/// cancel each other, they are missed.
+/// The branch has a point at each of `steps + 1` equidistant values, again after a fold, and
+/// intermediate points. `map` makes the map at a value of the parameter. `see` receives each cycle
+/// and may end the branch. Bifurcations are located by bisection. Two bifurcations within one step
+/// may cancel each other, and are then missed.
 ///
-/// Cost: each step takes a few decompositions, as in [`periodic_point`](super::periodic_point());
-/// each bifurcation takes a few hundred.
+/// Each step takes a few decompositions, as in [`periodic_point`](super::periodic_point()), and
+/// each bifurcation a few hundred.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -170,8 +170,7 @@ pub(super) fn follow(
         }
         (place, tangent, before) = (next, next_tangent, there);
         stride = (1.5 * stride).min(longest(&place));
-        // The number of steps is limited, because a curve may wind forever without leaving the
-        // range.
+        // A curve may wind forever within the range, so the number of steps is limited.
         strides += 1;
         if strides > 20 * steps {
             return branch;
@@ -181,8 +180,7 @@ pub(super) fn follow(
     branch
 }
 
-/// Returns the integers in 0..=most between two numbers; excludes the number at which the way
-/// begins.
+/// Returns the integers from 0 to `most` between two numbers, without the first number.
 fn passed([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     let is_passed = |k: &usize| {
         let k = *k as f64;
@@ -211,8 +209,7 @@ pub(super) trait Curve {
     /// Returns the unit tangent nearest to the direction `near`.
     fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition>;
 
-    /// Projects `near` onto the curve by Newton's method; corrections are perpendicular to
-    /// `across`.
+    /// Projects `near` onto the curve by Newton's method, perpendicularly to `across`.
     fn corrected(&self, near: BranchPosition, across: &BranchPosition) -> Option<BranchPosition>;
 
     /// Takes a predictor step along the tangent, then corrects it.
@@ -225,14 +222,13 @@ pub(super) trait Curve {
         BranchChange::Fold
     }
 
-    /// Returns whether a step ended on another branch, one of steady states or of cycles of half
-    /// the period.
+    /// Returns whether a step ended on a branch of steady states or of cycles of half the period.
     fn has_jumped(&self, _: &BranchPosition, _: &BranchPosition) -> bool {
         false
     }
 }
 
-/// The solution curve of cycles of a map; either ε or the parameter varies.
+/// The solution curve of cycles of a map in ε or a parameter.
 struct Arc<F> {
     map: F,
     unit: LengthUnit,
@@ -249,8 +245,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
         place.rows(0, place.len() - 1).into_owned()
     }
 
-    /// Returns the derivative of the defect with respect to the points, and in the last column to
-    /// the parameter.
+    /// Returns the derivative of the defect by the points and, in the last column, by the
+    /// parameter.
     fn slope(&self, place: &BranchPosition) -> Option<DMatrix<f64>> {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let slope = slope(&map, &cycle);
@@ -291,15 +287,14 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
         let gaps_at = |there: &BranchPosition| defect(&self.map(there), Self::cycle(there).as_slice());
         for _ in 0..ROUNDS {
             let gaps = gaps_at(&next)?;
-            // The last row of the matrix keeps the step perpendicular to `across`.
             let wide = self.slope(&next)?;
             let rows = wide.nrows();
             let mut square = wide.insert_row(rows, 0.0);
             square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm(square, &gaps.push(0.0))?;
             if gaps.amax() <= CLOSED * next.amax().max(1.0) {
-                // If the multiplier 1 is double, the error is about the square root of the
-                // remaining defect. Therefore one more step is tried.
+                // Near a double multiplier 1 the error is about the square root of the remaining
+                // defect, so one more step is tried.
                 let is_nearer =
                     gaps.amax() > NOTHING && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

@@ -11,16 +11,15 @@ use super::cycle::{PeriodicPoint, size};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BranchChange {
-    /// A fold: the parameter reverses its direction, and a real multiplier passes through 1.
+    /// The parameter reverses its direction at a fold, and a real multiplier passes through 1.
     Fold,
-    /// A cycle of a flow merges with a cycle of half the period, which doubles its period there.
-    /// The branch ends.
+    /// A cycle of a flow merges with a cycle of half the period, and the branch ends.
     Halved,
-    /// A cycle of a flow shrinks to a steady state at a Hopf point. The branch ends.
+    /// A cycle of a flow shrinks to a steady state at a Hopf point, and the branch ends.
     Hopf,
     /// A real multiplier passes through 1 without a fold.
     ThroughOne,
-    /// A real multiplier passes through −1: period doubling.
+    /// A real multiplier passes through −1, and the period doubles.
     ThroughMinusOne,
     /// A pair of complex multipliers crosses the unit circle.
     ThroughCircle,
@@ -59,7 +58,7 @@ pub struct ChangePoint {
     pub parameter: f64,
 }
 
-/// One continuation step: the positions on the solution curve at distances of up to `length` from
+/// One continuation step: the positions on the solution curve up to the distance `length` from
 /// `place`.
 pub(super) struct BranchSegment<'a, C> {
     pub(super) arc: &'a C,
@@ -81,7 +80,7 @@ impl SegmentPoint {
         SegmentPoint { at, goes_ahead: tangent[tangent.len() - 1] > 0.0, cycle }
     }
 
-    /// Counts the multipliers outside the unit circle by kind: real above 1, real below −1,
+    /// Counts the multipliers outside the unit circle that are real above 1, real below −1, and
     /// complex.
     fn outside_by_kind(&self) -> [isize; 3] {
         /// Rounding can make two nearly equal real multipliers complex.
@@ -100,8 +99,8 @@ impl SegmentPoint {
 }
 
 impl<C: Curve> BranchSegment<'_, C> {
-    /// Returns the bifurcations between the first cycle and the last, in order. Each has its
-    /// distance along the step.
+    /// Returns the bifurcations between the first cycle and the last, with distances along the
+    /// step.
     pub(super) fn changes(
         &self,
         first: &PeriodicPoint,
@@ -112,7 +111,7 @@ impl<C: Curve> BranchSegment<'_, C> {
             SegmentPoint::new(self.length, tangent, last.clone()),
         ];
         let mut turns = Vec::new();
-        // One bifurcation takes about 40 bisections; the bound ends searches among rounding errors.
+        // One bifurcation takes about 40 bisections. The bound ends searches among rounding errors.
         let mut halvings = 400;
         self.search([&ends[0], &ends[1]], &mut halvings, &mut turns);
         turns
@@ -125,8 +124,7 @@ impl<C: Curve> BranchSegment<'_, C> {
         halvings: &mut usize,
         turns: &mut Vec<(f64, ChangePoint)>,
     ) {
-        /// Bifurcations that are closer than this, relative to the length of the step, count as
-        /// simultaneous.
+        /// The relative distance below which bifurcations count as simultaneous.
         const AT_ONCE: f64 = 1e-12;
 
         let turns_back = low.goes_ahead != high.goes_ahead;
@@ -152,8 +150,7 @@ impl<C: Curve> BranchSegment<'_, C> {
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n((high.at, ChangePoint { change, parameter }), times.unsigned_abs()));
         };
-        // Two real multipliers that meet outside the circle become a complex pair without crossing
-        // it.
+        // Two real multipliers may become a complex pair outside of the circle without crossing it.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
         tell(self.turning_back(there.as_ref()), isize::from(turns_back));
         tell(BranchChange::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
@@ -161,17 +158,16 @@ impl<C: Curve> BranchSegment<'_, C> {
         tell(BranchChange::ThroughCircle, (pairs + met(one) + met(minus_one)) / 2);
     }
 
-    /// Returns the position at a distance along the step; a negative distance goes backwards.
+    /// Returns the position at a distance along the step. A negative distance goes backwards.
     pub(super) fn at(&self, along: f64) -> Option<BranchPosition> {
         self.arc.step(self.place, self.tangent, along)
     }
 
-    /// Finds the position with this (scaled) parameter value between two positions.
+    /// Finds the position with this relative parameter value between two positions.
     pub(super) fn place_with(&self, value: f64, ends: [(f64, &BranchPosition); 2]) -> Option<BranchPosition> {
         let parameter = |place: &BranchPosition| place[place.len() - 1];
         let [mut low, mut high] = ends.map(|(at, place)| (at, parameter(place)));
         let mut near = ends[0].1.clone();
-        // Three secant steps suffice, since Newton's method ends the search.
         for _ in 0..3 {
             let at = low.0 + (high.0 - low.0) * (value - low.1) / (high.1 - low.1);
             near = self.at(at)?;
@@ -191,7 +187,6 @@ impl<C: Curve> BranchSegment<'_, C> {
         Some(SegmentPoint::new(at, &self.arc.tangent(&place, self.tangent)?, self.arc.judged(&place).cycle))
     }
 
-    /// Locates the fold between two samples, where the parameter reverses its direction.
     fn fold(&self, [low, high]: [&SegmentPoint; 2]) -> (f64, ChangePoint) {
         let is_before = |there: &BranchPosition| {
             let tangent = self.arc.tangent(there, self.tangent);
@@ -209,29 +204,27 @@ impl<C: Curve> BranchSegment<'_, C> {
     fn crossing(&self, change: BranchChange, [low, high]: [&SegmentPoint; 2]) -> (f64, ChangePoint) {
         let (inner, outer) =
             if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
-        // The multiplier that crosses is the smallest of those outside the circle.
+        // The smallest multiplier outside of the circle is the one that crosses.
         let index = outer.cycle.outside() - 1;
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
         let size_at = |there: &BranchPosition| size_of(&self.arc.judged(there).cycle);
         let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
-        // Within its error margin, the multiplier may have crossed the circle just before this
-        // interval.
+        // Within the error margin, the multiplier may have crossed just before this interval.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
         let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
             (inner.at, 1.0)
         } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
             (behind, 1.0)
         } else {
-            // Within rounding, the multiplier stays on the circle; then it leaves the circle like a
-            // square root of the distance.
+            // A multiplier on the circle leaves the circle like a square root of the distance.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
         let (at, parameter) = self.halved([begin, outer.at], |there| size_at(there) <= bound);
         (at, ChangePoint { change, parameter })
     }
 
-    /// Bisects for the position at which a condition ends to hold. Returns its distance along the
-    /// step, and the parameter there.
+    /// Bisects for the end of a condition. Returns the distance along the step, and the parameter
+    /// there.
     fn halved(
         &self,
         [mut before, mut behind]: [f64; 2],

@@ -1,5 +1,5 @@
-//! Derivatives of maps that `kahan!` generates. The Jacobian is computed over `f64`; dual numbers
-//! give the derivative with respect to ε or a parameter.
+//! Derivatives of maps that `kahan!` generates. The Jacobian uses `f64`, and derivatives with
+//! respect to ε or a parameter use dual numbers.
 
 use kahan_core::nalgebra::{DMatrix, SVector};
 
@@ -36,7 +36,6 @@ where
     }
 }
 
-/// Converts a point to dual numbers with derivative 0.
 fn fixed<const N: usize>(x: &[f64]) -> SVector<Dual<f64, 1>, N> {
     SVector::from_fn(|i, _| Dual::from_value(x[i]))
 }

@@ -1,15 +1,15 @@
 //! Newton's equations of a long cycle, condensed to as many unknowns as one point has.
 //!
-//! In: a map φ, the points xᵢ of a cycle, and derivatives with respect to some further unknowns e,
-//! such as ε. Out: solutions, under further linear conditions, of the equations
+//! Let xᵢ be the points of a cycle of a map φ, and e further unknowns such as ε. The equations
 //!
-//! dxᵢ₊₁ = Aᵢ dxᵢ + Bᵢ de + gᵢ.
+//! dxᵢ₊₁ = Aᵢ dxᵢ + Bᵢ de + gᵢ
+//!
+//! are solved under further linear conditions.
 //!
 //! # Method
 //!
-//! Here Aᵢ = ∂φ/∂x and Bᵢ = ∂φ/∂e at xᵢ, and gᵢ is the gap φ(xᵢ) − xᵢ₊₁. Each dxᵢ is an affine
-//! function of dx₀ and de, so N points cost N products of small matrices and one small
-//! decomposition.
+//! Here Aᵢ = ∂φ/∂x and Bᵢ = ∂φ/∂e at xᵢ, and gᵢ = φ(xᵢ) − xᵢ₊₁. Each dxᵢ is an affine function of
+//! dx₀ and de, so N points cost N products of small matrices and one small decomposition.
 
 use kahan_core::nalgebra::{DMatrix, DVector};
 
@@ -17,23 +17,22 @@ use super::Differentiable;
 use super::unit::ScaledMap;
 
 pub(super) struct Condensed {
-    /// For each i, the matrix that maps (dx₀, de, 1) to dxᵢ.
+    /// The matrices that map (dx₀, de, 1) to dxᵢ.
     affine: Vec<DMatrix<f64>>,
-    /// The condition dx_N − dx₀ = 0 that the cycle closes, as a matrix to be multiplied by (dx₀,
-    /// de, 1).
+    /// The condition dx_N − dx₀ = 0 that the cycle closes, as a matrix that acts on (dx₀, de, 1).
     closing: DMatrix<f64>,
 }
 
-/// A solution: the corrections dxᵢ of all points, then those of the further unknowns e.
+/// The corrections dxᵢ of all points, then those of the further unknowns e.
 pub(super) struct Solution {
     pub(super) step: DVector<f64>,
-    /// The ratio of the smallest to the largest singular value; 0 for a singular system.
+    /// The ratio of the smallest to the largest singular value, or 0 for a singular system.
     pub(super) rank: f64,
 }
 
 impl Condensed {
-    /// Condenses the equations at `points`. `rates(x, k)` is the derivative of the map with respect
-    /// to further unknown k. `gaps` holds all gaps gᵢ; `None` stands for zeros.
+    /// Condenses the equations at `points`. `rates(x, k)` is the derivative of the map by further
+    /// unknown k. `gaps` holds all φ(xᵢ) − xᵢ₊₁, or `None` for zeros.
     pub(super) fn of<M: Differentiable>(
         map: &ScaledMap<M>,
         points: &[f64],
@@ -79,7 +78,7 @@ impl Condensed {
             let others = row.rows(self.affine.len() * n, columns - n);
             let mut last = sum.rows_mut(n, columns - n);
             last += others;
-            // A condition is normalized, because its norm carries no information.
+            // The norm of a condition carries no information.
             let length = sum.rows(0, columns).norm();
             matrix.row_mut(place).copy_from(&(sum.rows(0, columns) / length).transpose());
             right[place] = (value - sum[columns]) / length;
@@ -98,7 +97,7 @@ impl Condensed {
     }
 }
 
-/// Returns the unit vector along the cycle, by central differences, followed by `others` zeros.
+/// Returns the unit vector along the cycle by central differences, followed by `others` zeros.
 pub(super) fn phase_direction(points: &[f64], n: usize, others: usize) -> DVector<f64> {
     let len = points.len();
     let entry = |k: usize| if k < len { points[(k + n) % len] - points[(k + len - n) % len] } else { 0.0 };

@@ -12,22 +12,18 @@ use super::unit::{self, LengthUnit, ScaledMap};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PeriodicPoint {
-    /// The points of the cycle; their number is its smallest period.
+    /// The points of the cycle, as many as the smallest period.
     pub points: Vec<Vec<f64>>,
     /// The largest component of |φ(xᵢ) − xᵢ₊₁| over the points xᵢ, where φ is the map.
     pub residual: f64,
-    /// The eigenvalues of ∂φᵖ/∂x by decreasing modulus, where φ is the map and p the smallest
-    /// period.
+    /// The eigenvalues of ∂φᵖ/∂x by decreasing modulus, for the map φ and the smallest period p.
     pub multipliers: Vec<Complex<f64>>,
-    /// The dimension of the family of cycles with this period around this cycle; 0 for an isolated
-    /// cycle. The dimension equals that of the null space of ∂φᵖ/∂x − 1, where φ is the map and p
-    /// the period.
+    /// The dimension of the family of cycles around this cycle, or 0 for an isolated cycle. The
+    /// dimension is that of the null space of ∂φᵖ/∂x − 1 for the map φ and the period p.
     pub family: usize,
-    /// The scale for comparing lengths. Usually the scale is the largest coordinate of the points.
-    /// If the starting point has a larger coordinate, the scale is about that coordinate, because
-    /// the cycle may be the origin.
+    /// The scale for comparing lengths: the largest coordinate of the points or of the start.
     pub(super) size: f64,
-    /// For each multiplier, the distance from the unit circle that rounding can explain.
+    /// The distances of multipliers from the unit circle that rounding can explain.
     margins: Vec<f64>,
 }
 
@@ -59,7 +55,7 @@ impl fmt::Display for Stability {
 /// The reason why no cycle was found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoPeriodicPoint {
-    /// The period is 0, or the length of the start differs from the number of variables.
+    /// The period is 0, or the start has a wrong number of coordinates.
     Unfit,
     /// The orbit of the start meets a pole, or leaves the range of doubles.
     NotFinite,
@@ -72,7 +68,7 @@ pub enum NoPeriodicPoint {
     Family,
     /// The search for a cycle of the flow ended at a steady state.
     Still,
-    /// A cycle was found, but there is no nearby cycle with twice the number of steps.
+    /// No cycle with twice the number of steps is near the cycle that was found.
     Coarse,
     /// No close return of the orbit led to a cycle of about the requested period.
     NoReturn,
@@ -112,8 +108,8 @@ impl std::error::Error for NoPeriodicPoint {}
 
 /// The largest accepted residual, relative to the size of the cycle or of the start.
 pub(super) const CLOSED: f64 = 1e-11;
-/// The smallest tolerance with which a multiplier counts as |μ| = 1; a double eigenvalue loses half
-/// of the digits.
+/// The least tolerance with which a multiplier counts as |μ| = 1. A double eigenvalue loses half of
+/// the digits.
 const CIRCLE: f64 = 1e-6;
 
 impl PeriodicPoint {
@@ -131,11 +127,11 @@ impl PeriodicPoint {
         }
     }
 
-    /// Returns whether a multiplier counts as |μ| = 1 within its error bound, although its printed
-    /// digits say otherwise.
+    /// Returns whether a multiplier counts as |μ| = 1 because of its error bound, although the
+    /// printed digits say otherwise.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
-        /// A smaller distance from 1 does not show in the printed digits.
+        /// The least distance from 1 that shows in the printed digits.
         const SHOWN: f64 = 1e-5;
 
         let off = |(one, margin): (&Complex<f64>, &f64)| {
@@ -145,33 +141,30 @@ impl PeriodicPoint {
         self.multipliers.iter().zip(&self.margins).any(off)
     }
 
-    /// Returns the number of multipliers outside the unit circle; in the list these come first.
+    /// Returns the number of multipliers outside the unit circle, which come first in the list.
     pub(super) fn outside(&self) -> usize {
         let with_margins = self.multipliers.iter().zip(&self.margins);
         with_margins.take_while(|(one, margin)| size(one) > 1.0 + **margin).count()
     }
 
-    /// Returns the distance from the unit circle that rounding can explain for this multiplier.
     pub(super) fn margin(&self, index: usize) -> f64 {
         self.margins[index]
     }
 
-    /// Returns the scale for comparing lengths: the largest coordinate of the points. If the
-    /// starting point is larger, returns about its largest coordinate.
+    /// Returns the scale for comparing lengths: about the largest coordinate of the points and the
+    /// start.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size
     }
 
-    /// Makes a `PeriodicPoint` with the smallest period from the points of a cycle, given in the
-    /// units of `map`.
+    /// Makes a `PeriodicPoint` with the smallest period from points in the unit of `map`.
     pub(super) fn judged<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64], residual: f64) -> Self {
         let all: Vec<Vec<f64>> = cycle.chunks(map.dimension()).map(<[f64]>::to_vec).collect();
         let period = smallest_period(&all, unit::size(cycle).max(map.unit.size));
         Self::of_period(map, cycle, period, residual)
     }
 
-    /// Makes a `PeriodicPoint` of the first `period` points.
     pub(super) fn of_period<M: Differentiable>(
         map: &ScaledMap<M>,
         cycle: &[f64],
@@ -187,7 +180,7 @@ impl PeriodicPoint {
         PeriodicPoint { points, residual, multipliers, family, size, margins }
     }
 
-    /// Removes the trivial multiplier of a cycle of a flow, which is the one nearest to 1.
+    /// Removes the multiplier nearest to 1, which belongs to the direction of the flow.
     pub(super) fn of_flow(mut self) -> Self {
         let distance = |one: &Complex<f64>| size(&(one - Complex::new(1.0, 0.0)));
         let distances = self.multipliers.iter().map(distance).enumerate();
@@ -200,8 +193,8 @@ impl PeriodicPoint {
     }
 }
 
-/// Multipliers, family dimension and error margins of a cycle. The type is not generic, so that the
-/// decompositions are compiled once, and not for each type of map.
+/// Multipliers, family dimension and error margins of a cycle. The type is not generic, so the
+/// decompositions are compiled only once.
 struct Linearized {
     multipliers: Vec<Complex<f64>>,
     family: usize,
@@ -209,8 +202,7 @@ struct Linearized {
 }
 
 impl Linearized {
-    /// Computes multipliers and margins from the derivatives at the points, in the order of the
-    /// orbit.
+    /// Computes multipliers and margins from the derivatives along the orbit.
     fn of(factors: &[DMatrix<f64>]) -> Self {
         let (derivative, error) = product(factors);
         if !derivative.iter().all(|entry| entry.is_finite()) {
@@ -239,12 +231,11 @@ impl Linearized {
     }
 }
 
-/// Returns P = Jₚ…J₁ and a first-order bound on the norm of its error, where Jₖ are the factors and
-/// u is the unit roundoff.
+/// Returns P = Jₚ…J₁ for the factors Jₖ, and a first-order bound on the norm of the error of P.
 ///
-/// Each Jₖ is known up to a few roundings, and its product with Jₖ₋₁…J₁ is rounded. For n×n
-/// matrices this error is (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖. The remaining factors increase it by at most
-/// ‖Jₚ…Jₖ₊₁‖. The backward error of the eigenvalues adds 10 n u ‖P‖.
+/// The product Jₖ·Jₖ₋₁…J₁ of n×n matrices has the error (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖ with the unit
+/// roundoff u. The remaining factors increase this error by at most ‖Jₚ…Jₖ₊₁‖. The backward error
+/// of the eigenvalues adds 10 n u ‖P‖.
 fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {
     const UNIT: f64 = f64::EPSILON / 2.0;
 
@@ -264,9 +255,8 @@ fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {
     (product, error)
 }
 
-/// Returns the eigenvalues of a matrix, each with its condition number ‖x‖‖y‖/|yᴴx|, where x and y
-/// are the right and left eigenvectors. The condition number is infinite or NaN if there are no
-/// eigenvectors.
+/// Returns the eigenvalues of a matrix, each with its condition number ‖x‖‖y‖/|yᴴx| for the right
+/// and left eigenvectors x and y. The condition number may be infinite or NaN.
 fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     const MOST_ROUNDS: usize = 10_000;
 
@@ -275,7 +265,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // Multiple eigenvalues are separated by a rounding error.
+    // A rounding error separates multiple eigenvalues.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];
@@ -290,30 +280,27 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
             let sum: Complex<f64> = (i..j).map(|k| left[k] * triangular[(k, j)]).sum();
             left[j] = -sum / pivot(triangular[(j, j)] - eigenvalue);
         }
-        // Here yᴴx = 1, because both vectors are 1 at index i, and at each other index one of the
-        // two is 0.
+        // Both vectors are 1 at index i, and one of the two is 0 at each other index, so yᴴx = 1.
         let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, libm::hypot);
         (eigenvalue, norm(&right) * norm(&left))
     };
     (0..n).map(condition).collect()
 }
 
-/// Returns the modulus |μ|.
 pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
     libm::hypot(multiplier.re, multiplier.im)
 }
 
 /// Finds a periodic point of a map near `start`. The smallest period of the point divides `period`.
 ///
-/// Tolerances are relative to the size of `start` or of the cycle, whichever is larger. If `start`
-/// is 0, the size of the next point of the orbit replaces that of `start`. The result is
-/// independent of the unit of length.
+/// Tolerances are relative to the size of `start` or of the cycle, whichever is larger. For a start
+/// at 0, the size of the next point of the orbit counts. The unit of length does not matter.
 ///
-/// Cost: some iterations of Newton's method. Each decomposes a matrix of dimension `period` times
-/// the number of variables.
+/// Each step of Newton's method decomposes a matrix of dimension `period` times the number of
+/// variables.
 ///
 /// # Errors
-/// [`NoPeriodicPoint`]: invalid input, an orbit that is not finite, or no periodic point found.
+/// Returns [`NoPeriodicPoint`] for invalid input, an orbit that is not finite, or no convergence.
 pub fn periodic_point<M: Differentiable>(
     map: &M,
     start: &[f64],
@@ -343,7 +330,7 @@ pub fn periodic_point<M: Differentiable>(
 }
 
 fn smallest_period(points: &[Vec<f64>], size: f64) -> usize {
-    /// Points count as equal if their distance, relative to their size, is below this.
+    /// The relative distance below which points count as equal.
     const SAME: f64 = 1e-7;
 
     let comes_again = |period: usize| {

@@ -1,9 +1,8 @@
 //! Cycles of a flow as N-step cycles of the map, with ε as an unknown.
 //!
-//! In: the map at each ε, and a point and an ε near a cycle of the flow. Out: a cycle of N points
-//! of the map, its ε, and the period 2εN. Near a hyperbolic cycle of the flow, the map has an
-//! invariant curve. The rotation number of the curve depends on ε; where it is 1/N, a cycle has N
-//! points.
+//! Near a hyperbolic cycle of the flow, the map has an invariant curve, whose rotation number
+//! depends on ε. Where the rotation number is 1/N, the map has a cycle of N points. The cycle of
+//! the flow has the approximate period 2εN.
 
 use kahan_core::nalgebra::{Complex, DVector};
 
@@ -18,26 +17,25 @@ use super::unit::{self, LengthUnit, ScaledMap};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FlowCycle {
-    /// The points, and the multipliers without the trivial one, which belongs to the flow
-    /// direction.
+    /// The points, and the multipliers without the trivial one of the flow direction.
     pub cycle: PeriodicPoint,
     /// Half the time step at which N steps close the cycle.
     pub eps: f64,
 }
 
 impl FlowCycle {
-    /// Returns the period, 2εN; its error is of order ε².
+    /// Returns the period 2εN, with an error of order ε².
     #[must_use]
     pub fn period(&self) -> f64 {
         2.0 * self.eps * self.cycle.points.len() as f64
     }
 
-    /// Refines the cycle to twice the number of steps, which quarters the error of the period. From
-    /// the periods T before and T₂ after the refinement, T₂ + (T₂ − T)/3 has an error of order ε⁴.
+    /// Refines the cycle to twice the number of steps, which quarters the error of the period. If
+    /// the period changes from T to T₂, T₂ + (T₂ − T)/3 has an error of order ε⁴.
     ///
     /// # Errors
-    /// [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found; other errors are
-    /// those of [`flow_cycle`].
+    /// Returns [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found, or an error
+    /// of [`flow_cycle`].
     pub fn doubled<M: Parametric>(&self, map: impl Fn(f64) -> M) -> Result<Self, NoPeriodicPoint> {
         let eps = 0.5 * self.eps;
         let half = map(eps);
@@ -49,10 +47,10 @@ impl FlowCycle {
         }
     }
 
-    /// Returns whether the cycle has `steps` steps, and an ε near the given ε.
+    /// Returns whether the cycle has `steps` steps and nearly the given ε.
     #[must_use]
     pub fn is_near(&self, steps: usize, eps: f64) -> bool {
-        /// If the relative change of ε is larger, the cycle counts as another cycle.
+        /// The relative change of ε above which a cycle counts as another cycle.
         const NEAR: f64 = 0.1;
 
         self.cycle.points.len() == steps && (self.eps / eps - 1.0).abs() < NEAR
@@ -75,11 +73,9 @@ impl FlowCycle {
 }
 
 /// Returns whether the points go `rounds` times around a closed curve. Each point must lie near the
-/// parabola through three consecutive points that are one round later in the list. The distance
-/// from the parabola is measured relative to the largest second difference.
+/// parabola through three consecutive points one round later.
 pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
-    /// The tolerance, relative to the largest second difference; it leaves room for third
-    /// differences.
+    /// The tolerance relative to the largest second difference.
     const NEAR: f64 = 0.25;
 
     let steps = points.len() / dimension;
@@ -120,12 +116,12 @@ pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
 /// assert!((period - 1.558652210716).abs() < 1e-6);
 /// ```
 ///
-/// Cost: a few Newton steps. Each takes N Jacobians, and a decomposition of a matrix with a row for
-/// each variable.
+/// The cost is a few Newton steps with N Jacobians each, and small decompositions.
 ///
 /// # Errors
-/// [`NoPeriodicPoint`] for an unfit start, an orbit that is not finite, no convergence, or a family
-/// of cycles, as in conservative fields. The periods of a family vary, so N does not determine ε.
+/// Returns [`NoPeriodicPoint`] for an unfit start, an orbit that is not finite, no convergence, or
+/// a family of cycles, as in conservative fields. The periods of a family vary, so N does not
+/// determine ε.
 pub fn flow_cycle<M: Parametric>(
     map: impl Fn(f64) -> M,
     start: &[f64],
@@ -178,16 +174,14 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn gaps(&self, place: &DVector<f64>) -> Option<DVector<f64>> {
-        // ε must keep its sign along the search.
+        // The number ε must keep its sign along the search.
         let is_ahead = place[place.len() - 1] > 0.0;
         is_ahead.then(|| defect(&self.map_at(place), Self::points(place)))?
     }
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The largest number of Newton steps; convergence is quadratic.
         const ROUNDS: usize = 60;
-        /// If the defect, relative to the cycle's size, is below this, one more step reaches
-        /// rounding errors.
+        /// The relative defect below which one more step reaches rounding errors.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
@@ -196,7 +190,6 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
             let is_near = gaps.amax() <= NEAR;
             let Some(correction) = self.correction(&gaps) else { break };
             rank = correction.rank;
-            // The step is halved until the defect decreases.
             let nearer = (0..if is_near { 1 } else { 24 }).find_map(|halvings| {
                 let place = &self.place + &correction.step * 0.5f64.powi(halvings);
                 let gaps_there = self.gaps(&place)?;
@@ -211,7 +204,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         self.judged(gaps.amax(), rank)
     }
 
-    /// Returns the Newton step; it has no component along the cycle.
+    /// Returns the Newton step that has no component along the cycle.
     fn correction(&self, gaps: &DVector<f64>) -> Option<Solution> {
         let (map, points) = (self.map_at(&self.place), Self::points(&self.place));
         let rates = |x: &[f64], _| map.by_parameter(x).into_iter().map(|rate| rate * self.eps).collect();
@@ -220,14 +213,12 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn judged(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// In a family of cycles, the ratio of singular values is smaller than this, and a second
-        /// multiplier is near 1. If only the flow has a family, and not the map, the ratio is a
-        /// power of ε.
+        /// The ratio of singular values is smaller than this in a family of cycles. If only the
+        /// flow has a family, the ratio is a power of ε.
         const FAMILY: f64 = 1e-7;
         const NEARLY_FAMILY: f64 = 1e-4;
         const ONE: f64 = 1e-3;
-        /// If all points are closer together than this, relative to their size, they are a steady
-        /// state.
+        /// Points that are closer together than this, relative to their size, are a steady state.
         const STILL: f64 = 1e-6;
 
         let map = self.map_at(&self.place);
@@ -250,7 +241,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 }
 
-/// The limit, for h → 0, of a number that depends on h = 1/N, where N is the number of steps.
+/// The limit of a number that depends on the step h = 1/N, for h → 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extrapolated {
@@ -266,11 +257,10 @@ impl Extrapolated {
     /// The powers of h in the error of other methods of order 2, as for lifted fields.
     pub const ALL: &'static [i32] = &[2, 3, 4];
 
-    /// Applies Richardson extrapolation to the values at N, 2N, 4N, … steps. There must be one
-    /// value more than `powers`.
+    /// Applies Richardson extrapolation to the values at N, 2N, 4N, … steps.
     ///
     /// # Panics
-    /// If the numbers of values and powers do not fit.
+    /// If `values` does not have one entry more than `powers`.
     #[must_use]
     pub fn of(values: &[f64], powers: &[i32]) -> Self {
         assert_eq!(values.len(), powers.len() + 1, "each power is eliminated by one more value");
@@ -281,7 +271,7 @@ impl Extrapolated {
             let factor = libm::exp2(f64::from(*power)) - 1.0;
             column = column.windows(2).map(|pair| pair[1] + (pair[1] - pair[0]) / factor).collect();
         }
-        // If the observed order is not about 2, extrapolation gains nothing.
+        // Extrapolation gains nothing unless the observed order is about 2.
         let [first, second] = [3, 2].map(|k| values[values.len() - k + 1] - values[values.len() - k]);
         let ratio = first / second;
         let is_regular = (2.0..8.0).contains(&ratio) || second == 0.0;

@@ -1,7 +1,6 @@
 //! Continuation of a cycle of a flow in a parameter, with a fixed number of steps.
 //!
-//! In: a cycle of a flow and a range of the parameter. Out: the branch of cycles. Besides the
-//! points, ε is an unknown, since the period varies along the branch.
+//! The period varies along the branch, so ε is an unknown besides the points.
 
 use std::ops::ControlFlow;
 
@@ -17,9 +16,9 @@ use super::newton::defect;
 use super::unit::{self, LengthUnit, ScaledMap};
 
 /// Follows a cycle of a flow from the parameter value `from` towards `to`, like
-/// [`branch`](super::branch()); each point of the branch has its own ε.
+/// [`branch`](super::branch()). Each point of the branch has its own ε.
 ///
-/// `map` takes a parameter value and an ε and returns the map twice: with its derivative with
+/// `map` takes a parameter value and an ε. The two results are the map with its derivative with
 /// respect to ε, and with respect to the parameter.
 ///
 /// ```
@@ -48,8 +47,8 @@ use super::unit::{self, LengthUnit, ScaledMap};
 /// assert!((branch.turns[0].parameter - 2.83).abs() < 0.01);
 /// ```
 ///
-/// Cost: each step takes a few Newton steps, as in [`flow_cycle`](super::flow_cycle); each
-/// bifurcation takes a few hundred.
+/// Each step takes a few Newton steps, as in [`flow_cycle`](super::flow_cycle), and each
+/// bifurcation a few hundred.
 pub fn flow_branch<M: Parametric>(
     map: impl Fn(f64, f64) -> [M; 2],
     cycle: &FlowCycle,
@@ -66,8 +65,8 @@ pub fn flow_branch<M: Parametric>(
     follow(&arc, place, steps, see)
 }
 
-/// The solution curve of cycles of a flow. A position holds the points, scaled to a norm of about
-/// 1; then ε, relative to the first ε; then the parameter, relative to the range.
+/// The solution curve of cycles of a flow. A position holds the scaled points, then ε relative to
+/// the first ε, then the parameter relative to the range.
 struct FlowArc<F> {
     map: F,
     unit: LengthUnit,
@@ -91,7 +90,7 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
         runs(Self::points(place), self.dimension(place), 2)
     }
 
-    /// Returns the square root of the sum of squared distances of the points from the first point.
+    /// Returns the square root of the sum of squared distances from the first point.
     fn extent(&self, place: &BranchPosition) -> f64 {
         let (points, n) = (Self::points(place), self.dimension(place));
         (0..points.len()).map(|k| (points[k] - points[k % n]).powi(2)).sum::<f64>().sqrt()
@@ -110,7 +109,7 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
         (place[place.len() - 2] > 0.0).then(|| defect(&by_eps, Self::points(place)))?
     }
 
-    /// Linearizes the equations at a position; also returns the direction along the cycle.
+    /// Linearizes the equations at a position. Also returns the direction along the cycle.
     fn equations(&self, place: &BranchPosition, gaps: Option<&DVector<f64>>) -> (Condensed, BranchPosition) {
         let (maps, points) = (self.maps(place), Self::points(place));
         let units = [self.eps, self.length];
@@ -148,8 +147,8 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
     }
 
     fn turning_back(&self, place: &BranchPosition) -> BranchChange {
-        /// The extent below which the equations are almost singular, because the cycle is nearly a
-        /// steady state.
+        /// The extent below which the cycle is nearly a steady state, and the equations almost
+        /// singular.
         const SMALL: f64 = 0.02;
 
         match (self.extent(place) < SMALL, self.runs_twice(place)) {
@@ -179,8 +178,8 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
 
         let mut gaps = self.gaps(&next)?;
         for _ in 0..ROUNDS {
-            // The step satisfies two conditions: it is perpendicular to the tangent of the branch,
-            // and does not shift the points along the cycle.
+            // The step is perpendicular to the branch, and does not shift the points along the
+            // cycle.
             let (equations, along) = self.equations(&next, Some(&gaps));
             let nearer = &next + equations.solve(&[(&along, 0.0), (across, 0.0)])?.step;
             let gaps_there = self.gaps(&nearer)?;

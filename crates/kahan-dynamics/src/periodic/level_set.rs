@@ -1,16 +1,15 @@
 //! A map restricted to a level set of linear integrals, in fewer variables.
 //!
-//! In: a point, linear integrals, and a map that preserves them. Out: the map in the free
-//! variables. On the cycles of this map, integrals have their values at the point; multipliers are
-//! those along the level set.
+//! The free variables are coordinates on the level set through a point. Cycles of the restricted
+//! map have multipliers along the level set only.
 
 use kahan_core::nalgebra::DMatrix;
 use kahan_core::{Scalar, Step, Stopped, Workspace};
 
 use super::{Differentiable, Parametric};
 
-/// The level set of linear integrals through one point. The coordinates of the level set are the
-/// free variables, which no integral determines.
+/// The level set of linear integrals through one point. Its coordinates are the free variables,
+/// which no integral determines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LevelSet {
     free: Vec<usize>,
@@ -26,8 +25,8 @@ struct DependentVariable {
 
 impl LevelSet {
     /// Makes the level set through a point. Each integral Σ cₖ xₖ is a list of pairs (k, cₖ). The
-    /// last pair names the variable that the integral determines; this variable must not occur in
-    /// other integrals.
+    /// variable of the last pair is determined by the integral, and must not occur in other
+    /// integrals.
     ///
     /// # Panics
     /// If an integral has no pair, or an index is out of range.
@@ -65,8 +64,7 @@ impl LevelSet {
         point
     }
 
-    /// Returns the coordinates of a point on the level set, which are the values of the free
-    /// variables.
+    /// Returns the values of the free variables at a point of the level set.
     ///
     /// # Panics
     /// If the point has too few entries.
@@ -75,8 +73,7 @@ impl LevelSet {
         self.free.iter().map(|k| point[*k].clone()).collect()
     }
 
-    /// Returns the derivative in the free variables, by the chain rule; `full` is the derivative in
-    /// all variables.
+    /// Returns the derivative in the free variables, from the derivative `full` in all variables.
     fn derivative(&self, full: &DMatrix<f64>) -> DMatrix<f64> {
         let m = self.free.len();
         DMatrix::from_fn(m, m, |i, j| {
@@ -119,7 +116,7 @@ pub struct OnLevelSet<'a, M> {
 }
 
 impl<M: Step<Scalar: From<f64>>> OnLevelSet<'_, M> {
-    /// Applies a map of all variables to a point that is given by its coordinates on the level set.
+    /// Applies a map of all variables to a point in coordinates of the level set.
     fn by(
         &self,
         coordinates: &mut [M::Scalar],

@@ -1,8 +1,8 @@
 //! Periodic points of maps, their stability, and continuation in ε or a parameter.
 //!
-//! In: a map with its derivative, and a point near a cycle. Out: the points of the cycle, the
-//! residual, and the multipliers. Newton's method treats all points as unknowns (multiple
-//! shooting), so long cycles of unstable maps are found as well as short cycles.
+//! From a point near a cycle, the search returns the points of the cycle, the residual, and the
+//! multipliers. Newton's method treats all points as unknowns (multiple shooting), so long cycles
+//! of unstable maps are found, too.
 //!
 //! # Example
 //!
@@ -50,20 +50,20 @@ pub use returns::{CloseReturn, close_returns};
 
 /// A map with its Jacobian.
 pub trait Differentiable: Step<Scalar: From<f64>> {
-    /// Returns the image of x; not finite at a pole.
+    /// Returns the image of x, which is not finite at a pole.
     fn image(&self, x: &[f64]) -> Vec<f64> {
         let mut image: Vec<Self::Scalar> = x.iter().map(|entry| (*entry).into()).collect();
-        // At a pole, floats become infinite or NaN; callers test for this.
+        // At a pole, floats become infinite or NaN, and callers test for this.
         let _ = self.advance(&mut image, 1, &mut Workspace::new());
         image.iter().map(Scalar::approximate).collect()
     }
 
-    /// Returns ∂x̃/∂x at `x`; not finite at a pole.
+    /// Returns ∂x̃/∂x at `x`, which is not finite at a pole.
     fn derivative(&self, x: &[f64]) -> DMatrix<f64>;
 }
 
-/// A map that depends on a parameter p, at one value of p.
+/// A map at one value of a parameter p.
 pub trait Parametric: Differentiable {
-    /// Returns ∂x̃/∂p at `x`; not finite at a pole.
+    /// Returns ∂x̃/∂p at `x`, which is not finite at a pole.
     fn by_parameter(&self, x: &[f64]) -> Vec<f64>;
 }

@@ -1,17 +1,16 @@
-//! Newton's method for all points of a cycle at once. In families of cycles, steps of least norm
-//! are taken.
+//! Newton's method for all points of a cycle at once, with steps of least norm in families of
+//! cycles.
 
 use kahan_core::nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
 use super::unit::ScaledMap;
 
-/// The square of the unit roundoff. Newton's method stops at this residual, relative to the cycle's
-/// size. Near a cycle at 0, it would otherwise run into subnormal numbers.
+/// The relative residual at which Newton's method stops: the square of the unit roundoff. Near a
+/// cycle at 0, further steps would meet subnormal numbers.
 pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
-/// Returns φ(xᵢ) − xᵢ₊₁ for all points xᵢ of the cycle, where the first point follows the last;
-/// `None` if a number is not finite.
+/// Returns φ(xᵢ) − xᵢ₊₁ for all points xᵢ of the cycle. Returns `None` if a number is not finite.
 pub(super) fn defect<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64]) -> Option<DVector<f64>> {
     let n = map.dimension();
     let points = cycle.chunks(n);
@@ -39,7 +38,7 @@ pub(super) fn slope<M: Differentiable>(map: &ScaledMap<M>, cycle: &DVector<f64>)
     slope
 }
 
-/// Solves a least-squares problem by SVD and returns the solution of least norm.
+/// Solves a least-squares problem, and returns the solution of least norm.
 pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     /// Singular values below this fraction of the largest one count as 0.
     const ZERO: f64 = 1e-10;
@@ -53,13 +52,10 @@ pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<D
 }
 
 /// Makes damped Newton steps from a guess. Returns the cycle with the norm of its defect.
-///
-/// Returns `None` if the defect at the guess is not finite.
 pub(super) fn closed<M: Differentiable>(
     map: &ScaledMap<M>,
     cycle: DVector<f64>,
 ) -> Option<(DVector<f64>, f64)> {
-    /// Convergence is quadratic, so a convergent search ends long before this number of steps.
     const ROUNDS: usize = 60;
 
     let mut cycle = cycle;
@@ -69,7 +65,6 @@ pub(super) fn closed<M: Differentiable>(
             break;
         }
         let Some(step) = least_norm(slope(map, &cycle), &gaps) else { break };
-        // The step is halved until the defect decreases.
         let nearer = (0..30).find_map(|halvings| {
             let trial = &cycle - &step * 0.5f64.powi(halvings);
             let gaps_there = defect(map, trial.as_slice())?;

@@ -7,30 +7,28 @@ pub struct CloseReturn {
     pub at: usize,
     /// The number of steps until the return.
     pub steps: usize,
-    /// The distance of the returning point from the orbit near the earlier point. The distance is
-    /// measured perpendicular to the orbit, relative to the extent of the orbit.
+    /// The distance from the orbit near the earlier point, perpendicular to the orbit and relative
+    /// to its extent.
     pub distance: f64,
 }
 
-/// Finds returns of an orbit to earlier points after `least` to `most` steps; the closest and
-/// shortest come first. Coordinates are scaled by their ranges on the orbit.
+/// Finds returns of an orbit to earlier points after `least` to `most` steps, the closest and
+/// shortest first. Coordinates are scaled by their ranges on the orbit.
 ///
 /// After a shorter return, a longer return counts only if the point returns ten times closer.
-/// Otherwise two rounds of a cycle would also be reported.
-///
-/// Cost: up to about 2000 points of the orbit, each compared with `most` successors.
+/// Otherwise two rounds of a cycle would also be reported. About 2000 points of the orbit are
+/// compared with `most` successors each.
 ///
 /// # Panics
 /// If the points differ in their number of coordinates.
 #[must_use]
 pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<CloseReturn> {
-    /// The number of starting points, up to a factor of two, and the largest number of returns.
+    /// The number of starting points, up to a factor of two.
     const STARTS: usize = 1000;
     const RETURNS: usize = 24;
-    /// The radius of a neighbourhood, relative to the extent of the orbit. A return leaves this
-    /// neighbourhood and enters it again.
+    /// The relative radius of a neighbourhood that a return leaves and enters again.
     const NEAR: f64 = 0.1;
-    /// Returns closer than this count as equally close, because interpolation is not more accurate.
+    /// The distance below which returns count as equally close, because of interpolation.
     const ALIKE: f64 = 1e-4;
 
     let Some(first) = orbit.first() else { return Vec::new() };
@@ -74,12 +72,10 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     returns
 }
 
-/// Returns the distance of a point from the parabola through three consecutive points, near the
-/// middle one.
+/// Returns the distance of a point from the parabola through three points, near the middle one.
 pub(super) fn across([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
     let slope = |k: usize| 0.5 * (behind[k] - before[k]);
-    // Computes the vector from the tangent line to the point, corrected for the curvature of the
-    // parabola.
+    // The vector from the tangent line to the point is corrected for the curvature of the parabola.
     let off = |k: usize, at: f64| {
         let bend = behind[k] - 2.0 * x[k] + before[k];
         there[k] - x[k] - 0.5 * at * at * bend

@@ -139,7 +139,6 @@ impl Parametric for SaddleNode {
     }
 }
 
-/// The rotation by a fifth of a circle.
 struct Fifth;
 
 impl ByHand for Fifth {
@@ -171,7 +170,6 @@ fn cycles_of_the_logistic_map_are_those_of_the_formula() {
     let multiplier = 1.0 - (r + 1.0) * (r - 3.0);
     assert!((cycle.multipliers[0].re - multiplier).abs() < 1e-12 && cycle.family == 0);
     assert_eq!(cycle.stability(), Stability::Attracting);
-    // A point of period 1 also has period 4; the smallest period is reported.
     let fixed = periodic_point(&Logistic(r), &[1.0 - 1.0 / r + 1e-6], 4).unwrap();
     assert_eq!((fixed.points.len(), fixed.stability()), (1, Stability::Repelling));
 }
@@ -184,7 +182,7 @@ fn a_turn_of_a_fifth_has_a_family_of_cycles() {
     assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
 }
 
-/// A linear map with this matrix; its fixed point is 0.
+/// A linear map with this matrix.
 struct Linear([f64; 4]);
 
 impl ByHand for Linear {
@@ -248,15 +246,13 @@ fn a_cycle_at_0_is_as_near_to_it_as_its_start_is_large() {
         assert_eq!((cycle.points.len(), cycle.size()), (1, start));
         assert!(cycle.points[0].iter().all(|x| x.abs() < 1e-15 * start), "{cycle:?}");
     }
-    // Here all lengths are 0.
     let cycle = periodic_point(&Meeting(0.125), &[0.0, 0.0], 4).unwrap();
     assert_eq!((cycle.points, cycle.residual, cycle.size), (vec![vec![0.0, 0.0]], 0.0, 0.0));
 }
 
 #[test]
 fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
-    // Finds the fixed points of x̃ = x + a − x²/unit, starting from 0 at a = 0. All lengths are
-    // multiples of `unit`.
+    // The fixed points of x̃ = x + a − x²/unit are multiples of `unit`, as all other lengths are.
     struct Root(f64, f64);
 
     impl ByHand for Root {
@@ -333,8 +329,8 @@ fn a_branch_turns_back_where_two_fixed_points_meet() {
     for steps in [1, 3, 40] {
         let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
         let branch = branch(SaddleNode, &start, [0.5, -0.5], steps, |_| ControlFlow::Continue(()));
-        // At a fold, the tangent has an error of about √u, where u is the unit roundoff. The error
-        // of the parameter is the square of this.
+        // The tangent at a fold has an error of about √u with the unit roundoff u. The parameter
+        // has an error of about u.
         assert!(has_turns(&branch, &[(BranchChange::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
         // After the fold the branch returns to its first parameter value, at the other fixed point.
         let last = branch.points.last().unwrap();
@@ -358,7 +354,7 @@ fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
 
 #[test]
 fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
-    // The map preserves areas; at a = 3 the fixed point x = 1/3 has the double multiplier −1.
+    // The map preserves areas. At a = 3 the fixed point x = 1/3 has the double multiplier −1.
     let start = periodic_point(&Henon(1.0, -1.0), &[0.4, -0.4], 1).unwrap();
     assert_eq!(start.stability(), Stability::Neutral);
     let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20, |_| ControlFlow::Continue(()));
@@ -370,9 +366,8 @@ fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
 
 /// The map (x, y) ↦ (x + p − x², (x/2 − 9/8)·y).
 ///
-/// At the fixed points x² = p, y = 0, the multipliers are 1 − 2x and x/2 − 9/8. The first
-/// multiplier passes through 1 at x = 0, a fold. The second multiplier passes through −1 at x =
-/// 1/4.
+/// The fixed points x² = p, y = 0 have the multipliers 1 − 2x and x/2 − 9/8. The first multiplier
+/// is 1 at x = 0, a fold. The second multiplier is −1 at x = 1/4.
 struct Turning(f64);
 
 impl ByHand for Turning {
@@ -395,8 +390,7 @@ impl Parametric for Turning {
     }
 }
 
-/// A linear map with multipliers p, −(p + 1/4) and (p − 1/4)·e^{±i}. The multipliers cross the unit
-/// circle at p = 1, 3/4 and 5/4.
+/// A linear map with multipliers p, −(p + 1/4) and (p − 1/4)·e^{±i}.
 struct Several(f64);
 
 impl ByHand for Several {
@@ -441,7 +435,6 @@ fn all_changes_of_one_stride_are_told_in_order() {
         let start = periodic_point(&Several(0.5), &[0.0; 4], 1).unwrap();
         let there = branch(Several, &start, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
         let mut expected = [(ThroughMinusOne, 0.75), (ThroughOne, 1.0), (ThroughCircle, 1.25)];
-        // The multipliers, and so their crossings, have a few rounding errors.
         assert!(has_turns(&there, &expected, 1e-13), "{steps}: {:?}", there.turns);
         let start = periodic_point(&Several(1.5), &[0.0; 4], 1).unwrap();
         let back = branch(Several, &start, [1.5, 0.5], steps, |_| ControlFlow::Continue(()));
@@ -494,13 +487,11 @@ fn a_fold_hides_no_other_change() {
             seen.push((point.cycle.points[0][0], point.change()));
             ControlFlow::Continue(())
         });
-        // If the branch starts far away, 1 − 2x passes through −1 first.
+        // On branches from far away, 1 − 2x passes through −1 first.
         let first = [(BranchChange::ThroughMinusOne, 1.0)];
         let expected = if from > 1.0 { [&first[..], &both].concat() } else { both.to_vec() };
-        // The position of a fold is accurate to about half of the digits.
         assert!(has_turns(&branch, &expected, 1e-9 * from.max(1.0)), "{steps}: {:?}", branch.turns);
         assert_eq!(seen.len(), branch.points.len());
-        // The last case has two bifurcations in one step.
         let ends = seen.iter().filter(|(_, change)| change.is_none()).map(|(x, _)| *x);
         let is_over_both = |pair: &[f64]| pair[0] > 0.25 && pair[1] < 0.0;
         let is_any = ends.collect::<Vec<_>>().windows(2).any(is_over_both);
@@ -508,7 +499,7 @@ fn a_fold_hides_no_other_change() {
     }
 }
 
-/// The map x ↦ (x + 1 − px)/2; its fixed point 1/(1 + p) diverges for p → −1.
+/// The map x ↦ (x + 1 − px)/2. The fixed point 1/(1 + p) diverges for p → −1.
 struct Far(f64);
 
 impl ByHand for Far {
@@ -531,7 +522,6 @@ impl Parametric for Far {
     }
 }
 
-/// The step length grows with the distance of the points from 0.
 #[test]
 fn a_branch_goes_far_in_few_strides() {
     let start = periodic_point(&Far(0.0), &[0.9], 1).unwrap();
@@ -542,8 +532,7 @@ fn a_branch_goes_far_in_few_strides() {
 
 #[test]
 fn a_planar_map_doubles_its_period_where_the_formula_says() {
-    // At the fixed point, μ² + 2axμ − b = 0. Therefore μ = −1 if 2ax = 1 − b, which gives a = 3(1 −
-    // b)²/4.
+    // The fixed point satisfies μ² + 2axμ − b = 0. So μ = −1 for 2ax = 1 − b, or a = 3(1 − b)²/4.
     let start = periodic_point(&Henon(0.2, 0.3), &[0.9, 0.3], 1).unwrap();
     let branch = branch(|a| Henon(a, 0.3), &start, [0.2, 0.5], 3, |_| ControlFlow::Continue(()));
     assert!(has_turns(&branch, &[(BranchChange::ThroughMinusOne, 0.3675)], 1e-12), "{:?}", branch.turns);

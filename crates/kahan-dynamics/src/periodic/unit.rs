@@ -1,8 +1,7 @@
 //! A map in its own unit of length, so that tolerances do not depend on the caller's unit.
 //!
-//! In: a map and a power of two. Out: the map of points divided by this power, without rounding. If
-//! the power is near the size of a cycle, the scaled cycle has a size of about 1, and is comparable
-//! with a scaled parameter.
+//! Points are divided by a power of two near the size of a cycle, without rounding. The scaled
+//! cycle has a size of about 1, and is comparable with a scaled parameter.
 
 use kahan_core::nalgebra::DMatrix;
 
@@ -12,8 +11,7 @@ use super::{Differentiable, Parametric};
 pub(super) struct LengthUnit {
     /// The unit of length in the caller's unit, a power of two.
     pub(super) length: f64,
-    /// The scale for comparing lengths, in this unit. The scale is 1, or 0 if the caller's size was
-    /// 0 or not finite.
+    /// The scale for comparing lengths: 1, or 0 if the caller's size was 0 or not finite.
     pub(super) size: f64,
 }
 
@@ -36,7 +34,6 @@ pub(super) struct ScaledMap<M> {
 }
 
 impl<M> ScaledMap<M> {
-    /// Converts a point into the unit of the inner map.
     pub(super) fn outside(&self, x: &[f64]) -> Vec<f64> {
         x.iter().map(|x| x * self.unit.length).collect()
     }
@@ -72,7 +69,6 @@ impl<M: Differentiable> Differentiable for &M {
     }
 }
 
-/// Returns the maximum norm of `x`.
 pub(super) fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |size: f64, x| size.max(x.abs()))
 }

@@ -1,7 +1,7 @@
 //! The modelled cost of a step, in processor cycles.
 //!
-//! In: the operations of a step, counted by its plan. Out: cycles. The factors are rounded from
-//! measured steps of the systems E6, LV and Euler top on x86-64 (`benches/results/tiers.json`).
+//! The factors are rounded from measured steps of the systems E6, LV and Euler top on x86-64
+//! (`benches/results/tiers.json`).
 
 use kahan_core::StepCost;
 
@@ -11,22 +11,21 @@ use super::{Precision, Scheme};
 const SINGLE: f64 = 1.0;
 /// The cost factor of a state in `f32` with steps in `f64`, which need conversions.
 const SINGLE_THROUGH_DOUBLE: f64 = 1.25;
-/// The cost factor of compensation, which adds seven operations for each component, off the
-/// critical path.
+/// The cost factor of compensation, which adds seven operations for each component.
 const COMPENSATED: f64 = 1.1;
 /// The cost factor of `Dd` with fused multiply-adds, where an exact product takes two operations.
 #[cfg(target_feature = "fma")]
 const DOUBLE_DOUBLE: f64 = 6.0;
-/// The cost factor of `Dd` without fused multiply-adds, where an exact product takes seventeen
-/// operations.
+/// The cost factor of `Dd` without fused multiply-adds, where an exact product takes 17 operations.
 #[cfg(not(target_feature = "fma"))]
 const DOUBLE_DOUBLE: f64 = 10.0;
 
 impl Scheme {
-    /// Returns the modelled cycles of one step. The result is the product of the number of stages,
-    /// the [cycles](StepCost::cycles) of a stage in `f64`, and the cost factors of scalar and
-    /// compensation. `stage` is the cost of one step of Kahan's map. Only ratios of results are
-    /// meaningful.
+    /// Returns the modelled cycles of one step, of which only ratios are meaningful.
+    ///
+    /// The result is the number of stages times the [cycles](StepCost::cycles) of a stage in `f64`,
+    /// times the factors of scalar and compensation. `stage` is the cost of one step of Kahan's
+    /// map.
     #[must_use]
     pub fn cycles(&self, stage: StepCost) -> f64 {
         let numbers = match self.precision {

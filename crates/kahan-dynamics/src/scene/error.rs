@@ -1,4 +1,4 @@
-//! The error if no setting can be chosen.
+//! The reasons why no setting can be chosen.
 
 use std::fmt;
 
@@ -18,11 +18,11 @@ pub enum NoSetting {
         /// The index of the coordinate.
         index: usize,
     },
-    /// The solution leaves the finite range before the end of the scene. Or it is too sensitive:
-    /// two methods do not agree on it in 32 digits.
+    /// The solution escapes before the end of the scene, or two methods do not agree on it in 32
+    /// digits.
     Lost {
-        /// The time of the escape; for a sensitive solution, the time until which an orbit stayed
-        /// within a tenth of the trajectory's size.
+        /// The time of the escape, or the time until which an orbit stayed within a tenth of the
+        /// trajectory's size.
         time: f64,
     },
     /// The time span takes more than the 10⁶ steps that a choice may cost.
@@ -30,8 +30,8 @@ pub enum NoSetting {
         /// The time that the computation reached.
         time: f64,
     },
-    /// No setting meets the tolerance, or none could be found and checked within the 10⁶ steps that
-    /// a choice may cost.
+    /// No setting meets the tolerance, or the 10⁶ steps that a choice may cost do not suffice to
+    /// check one.
     OutOfReach {
         /// A tolerance that can probably be met.
         best: f64,

@@ -1,9 +1,8 @@
 //! The cheapest setting that preserves the map's own integrals.
 //!
-//! In: a map, a first point. Out: Kahan's map at the largest suitable ε, in a scalar with small
-//! enough rounding errors. In exact arithmetic the map preserves these integrals. One rounding of
-//! the state changes an integral by about u × condition, where u is the unit roundoff. In n steps,
-//! the changes add up to √n times this (random walk).
+//! In exact arithmetic the map preserves its integrals at any suitable ε. One rounding of the state
+//! changes an integral by about u × condition, with the unit roundoff u. After n steps, the changes
+//! add up to √n times this (random walk). The choice is a scalar with small enough roundoff.
 
 use kahan_core::nalgebra::SVector;
 
@@ -20,7 +19,7 @@ const SAFETY: f64 = 2.0;
 const MOST_STEPS: f64 = 9e15;
 
 const PILOT: f64 = 4096.0;
-/// The accepted ratio between the largest coordinate of an orbit and that of a finer orbit.
+/// The accepted ratio between the largest coordinates of an orbit and of a finer orbit.
 const LARGER: f64 = 2.0;
 const HALVINGS: i32 = 16;
 
@@ -50,7 +49,7 @@ where
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
             }
-            // With compensation, the increment is rounded and not the point.
+            // With compensation, the increment is rounded instead of the point.
             let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
             let error = SAFETY * scene.condition * scheme.precision.unit() * (1.0 + part * steps.sqrt());
             least_error = least_error.min(error);

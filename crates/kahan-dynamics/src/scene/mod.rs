@@ -1,9 +1,9 @@
 //! The choice of an integrator for a scene: scalar, order, compensation and ε.
 //!
-//! In: a map, a first point, a time to simulate, the purpose of the orbit, and its accuracy. Out:
-//! the cheapest accurate [`Setting`], by a cost model of counted operations ([`cycles`]). Settings
-//! are run over the whole time and compared with the flow ([`trajectory`], [`search`]). No clock is
-//! used, so the choice is reproducible; `kahan trade` runs the search with measured prices.
+//! The choice is the cheapest accurate [`Setting`], by a cost model of counted operations
+//! ([`cycles`]). Settings are run over the whole time and compared with the flow ([`trajectory`],
+//! [`search`]). No clock is used, so the choice is reproducible. The command `kahan trade` runs the
+//! search with measured prices.
 
 mod cycles;
 mod error;
@@ -28,12 +28,11 @@ pub use setting::Setting;
 pub enum Need {
     /// The orbit follows the flow's trajectory. The error is the largest distance from the
     /// trajectory over all steps in the maximum norm, relative to the trajectory's largest
-    /// coordinate. The last point is compared with the trajectory's end.
+    /// coordinate.
     Trajectory,
-    /// The orbit preserves the integrals. The error is the largest change of the map's own
-    /// integrals at its ε over the whole time, relative to the initial value; only rounding causes
-    /// it ([`Scene::condition`]). A composition has no integrals of its own, so its error is the
-    /// change of the flow's integrals.
+    /// The orbit preserves the integrals. The error is the largest relative change of the map's own
+    /// integrals, which only rounding causes ([`Scene::condition`]). A composition has no integrals
+    /// of its own, so the integrals of the flow count.
     Integrals,
 }
 
@@ -76,64 +75,63 @@ pub struct Scene {
 
 impl Scene {
     /// Describes a scene: `horizon` is the time to be simulated, and `tolerance` the largest
-    /// accepted error as defined by [`Need`]. [`choose`](Self::choose) checks that both are finite
-    /// and positive.
+    /// accepted error. [`choose`](Self::choose) checks that both are finite and positive.
     #[must_use]
     pub const fn new(horizon: f64, need: Need, tolerance: f64) -> Self {
         Self { horizon, need, tolerance, condition: 4.0 }
     }
 
-    /// Describes a scene whose trajectory must be followed.
+    /// Describes a scene in which the orbit follows the trajectory.
     #[must_use]
     pub const fn trajectory(horizon: f64, tolerance: f64) -> Self {
         Self::new(horizon, Need::Trajectory, tolerance)
     }
 
-    /// Describes a scene whose integrals must be preserved.
+    /// Describes a scene in which the orbit preserves the integrals.
     #[must_use]
     pub const fn integrals(horizon: f64, tolerance: f64) -> Self {
         Self::new(horizon, Need::Integrals, tolerance)
     }
 
-    /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, for [`Need::Integrals`]. The
-    /// condition is the factor by which relative changes of the state are amplified. The default 4
-    /// fits a polynomial of degree 2 whose terms cancel to a half; near zeros of H the condition is
-    /// much larger.
+    /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, for [`Need::Integrals`].
+    ///
+    /// The condition is the factor by which relative changes of the state are amplified. The
+    /// default 4 fits a polynomial of degree 2 whose terms cancel to a half. Near zeros of H the
+    /// condition is much larger.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {
         self.condition = condition;
         self
     }
 
-    /// Returns the setting of least modelled cost that meets the tolerance. The setting is
-    /// never in `f32`, because a step of a single orbit takes as long as in `f64`; `f32` saves
-    /// memory, and time in an [`Ensemble`](kahan_core::Ensemble).
+    /// Returns the setting of least modelled cost that meets the tolerance.
+    ///
+    /// The setting is never in `f32`, because a step of a single orbit takes as long as in `f64`.
+    /// For an [`Ensemble`](kahan_core::Ensemble), `f32` saves memory and time.
     ///
     /// # How
-    /// For [`Need::Trajectory`], the [`Flow`](crate::Flow) is computed over the whole horizon, and
-    /// settings are run and compared with it at every step. The observed error of the chosen
-    /// setting, including rounding, is at most 0.85 of the tolerance. The flow itself is checked:
-    /// an orbit in [`Dd`](kahan_core::Dd) must agree with it to a tenth of the tolerance. The
-    /// choice is deterministic, and a second run from the start has the observed error. Other
-    /// starts and later times are not covered.
+    /// For [`Need::Trajectory`], settings are run over the whole horizon and compared with the
+    /// [`Flow`](crate::Flow) at every step. The observed error of the chosen setting, including
+    /// rounding, is at most 0.85 of the tolerance. An orbit in [`Dd`](kahan_core::Dd) must agree
+    /// with the flow to a tenth of the tolerance. The choice is deterministic, and a second run has
+    /// the observed error. Other starts and later times are not covered.
     ///
     /// For [`Need::Integrals`], only Kahan's map itself is considered. ε‖f′‖∞ is at most 1 at the
     /// start, and less if the first steps would otherwise become too large. The rounding errors of
     /// n steps are modelled as a random walk.
     ///
     /// # How good
-    /// `cargo test --release -p kahan-study --test scenes -- --ignored` tests choices in seeded
-    /// scenes of chaotic, stiff and escaping fields. No choice may exceed its tolerance, and few
-    /// scenes that have a setting may be refused. The package `kahan-bench-trade` times choices
-    /// against all other settings.
+    /// `cargo test --release -p kahan-study --test scenes -- --ignored` tests choices in random
+    /// scenes of chaotic, stiff and escaping fields. No choice may exceed its tolerance. The
+    /// package `kahan-bench-trade` times choices against all other settings.
     ///
     /// # Cost
-    /// At most the time of 10⁶ steps of the map, and usually of some 10⁴ steps; steps in `Dd` take
-    /// longer. The choice pays off for long orbits and for many orbits.
+    /// A choice takes at most the time of 10⁶ steps of the map, and usually of some 10⁴ steps.
+    /// Steps in `Dd` take longer.
     ///
     /// # Errors
-    /// [`NoSetting`]: numbers that are not positive or not finite, a trajectory that cannot be
-    /// followed to the horizon, or a tolerance that no setting reaches.
+    /// Returns [`NoSetting`] for invalid numbers, for a trajectory that cannot be followed to the
+    /// horizon, or for a tolerance that no setting reaches.
     pub fn choose<M, const N: usize>(&self, map: &M, x0: &SVector<f64, N>) -> Result<Setting, NoSetting>
     where
         M: ExtendScalars<f64, N>,

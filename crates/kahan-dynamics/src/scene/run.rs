@@ -1,4 +1,4 @@
-//! Runs a setting. The type of the orbit is chosen once, before the first step.
+//! Runs a setting.
 
 use kahan_core::nalgebra::SVector;
 
@@ -6,8 +6,7 @@ use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, ThroughF
 
 use super::{Precision, Scheme, Setting};
 
-/// A computation on an orbit of any type. `widen` converts the points of the orbit to `Dd` without
-/// rounding.
+/// A computation on an orbit of any type. `widen` converts points to `Dd` without rounding.
 trait Task<const N: usize> {
     type Output;
 
@@ -44,11 +43,11 @@ fn rounded<const N: usize>(x: &[Dd; N]) -> SVector<f64, N> {
 }
 
 impl Setting {
-    /// Returns the last point of the orbit from `x0`, at the time 2ε·[`steps`](Self::steps); not
-    /// finite if the orbit met a pole.
+    /// Returns the last point of the orbit from `x0`, at the time 2ε·[`steps`](Self::steps). The
+    /// point is not finite if the orbit met a pole.
     ///
-    /// Rounds the parameters and `x0` to the setting's precision, and the result to `f64`. The
-    /// orbit is the one of the printed setting; along it there are no allocations and no decisions.
+    /// The parameters and `x0` are rounded to the setting's precision, and the result to `f64`. The
+    /// orbit allocates nothing.
     pub fn run<M, const N: usize>(&self, map: &M, x0: SVector<f64, N>) -> SVector<f64, N>
     where
         M: ExtendScalars<f64, N>,
@@ -56,7 +55,6 @@ impl Setting {
         let steps = usize::try_from(self.steps).unwrap_or(usize::MAX);
         match self.with_orbit(map, x0, LastPoint(steps)) {
             Some(last) => last,
-            // Orbits over floats never end, so this case does not occur.
             None => SVector::from_element(f64::NAN),
         }
     }

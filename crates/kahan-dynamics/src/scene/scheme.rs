@@ -1,4 +1,4 @@
-//! The choices besides ε: scalar, order, and compensation.
+//! The scalar, order and compensation of a setting.
 
 use std::fmt;
 
@@ -12,8 +12,8 @@ use super::Need;
 pub enum Precision {
     /// A state and steps in `f32`.
     Single,
-    /// A state in `f32`. Every step is computed in `f64` and rounded once:
-    /// [`ThroughF64`](kahan_core::ThroughF64).
+    /// A state in `f32`, with steps in `f64` that are rounded once
+    /// ([`ThroughF64`](kahan_core::ThroughF64)).
     SingleThroughDouble,
     /// A state and steps in `f64`.
     Double,
@@ -42,7 +42,7 @@ impl Precision {
         matches!(self, Self::Single | Self::SingleThroughDouble)
     }
 
-    /// Returns the unit roundoff u, the largest relative error of one rounding of the state.
+    /// Returns the unit roundoff: the largest relative error of one rounding of the state.
     #[must_use]
     pub const fn unit(self) -> f64 {
         match self {
@@ -52,10 +52,11 @@ impl Precision {
         }
     }
 
-    /// Returns an ε near `eps` in this precision. For [`Need::Integrals`], returns the nearest
-    /// [short](nearest_short_eps) ε; in `Dd`, one that is short for `f64`. For
-    /// [`Need::Trajectory`], whose steps must end at the given time, returns the nearest
-    /// representable number.
+    /// Returns an ε near `eps` in this precision.
+    ///
+    /// For [`Need::Integrals`], ε is the nearest [short](nearest_short_eps) number, which in `Dd`
+    /// is short for `f64`. For [`Need::Trajectory`], ε is the nearest representable number, because
+    /// the steps must end at the given time.
     #[must_use]
     pub fn eps_near(self, eps: f64, need: Need) -> f64 {
         match (self.is_single(), need) {
@@ -67,14 +68,13 @@ impl Precision {
     }
 }
 
-/// A method of stepping that may run at any ε. The method is displayed as `f64, order 8,
-/// compensated`.
+/// A method of stepping that may run at any ε, displayed like `f64, order 8, compensated`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scheme {
     /// The scalar type.
     pub precision: Precision,
-    /// The composition; [`Composition::KAHAN`] is Kahan's map itself.
+    /// The composition, which is [`Composition::KAHAN`] for Kahan's map itself.
     pub composition: Composition,
     /// Whether the sum of increments is compensated (Kahan summation).
     pub compensated: bool,
@@ -100,8 +100,7 @@ impl Scheme {
     }
 
     /// Iterates over the schemes of the [best](Composition::BEST) compositions, with and without
-    /// compensation. In `Dd`, whose rounding errors are negligible, there are only schemes without
-    /// compensation.
+    /// compensation. In `Dd` rounding errors are negligible, and compensation is omitted.
     pub fn all() -> impl Iterator<Item = Self> {
         Precision::ALL.into_iter().map(Self::of).flat_map(|plain| {
             Composition::BEST.into_iter().map(move |method| plain.composed(method)).flat_map(|plain| {

@@ -6,12 +6,10 @@ use kahan_core::Composition;
 
 use super::{Need, Precision, Scene, Scheme};
 
-/// The tolerance below which the rounding of ε matters. The relative error of ε is that of the end
-/// time.
+/// The tolerance below which the rounding of ε matters for the end time.
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A [`Scheme`] with ε and a number of steps, for the time span of a [`Scene`](crate::Scene).
-/// [`Scene::choose`](crate::Scene::choose) returns the cheapest accurate setting.
 ///
 /// `Display` writes a line of Rust in which `map` is the map and `x` the first point, both in the
 /// setting's precision.
@@ -27,11 +25,10 @@ pub struct Setting {
 }
 
 impl Scene {
-    /// Builds a setting of about `steps` steps over the whole time. The error is unknown and set to
-    /// infinity.
+    /// Builds a setting of about `steps` steps over the whole time, with an infinite error.
     ///
-    /// In `Dd`, the number of steps is rounded up to a power of 2 if the tolerance of a trajectory
-    /// is below the error of ε, a rounded `f64`.
+    /// In `Dd`, ε is a rounded `f64`. If the tolerance of a trajectory is below the error of ε, the
+    /// number of steps becomes a power of 2.
     ///
     /// # Panics
     /// If the horizon is not finite and positive, or `steps` is 0.
@@ -51,28 +48,27 @@ impl Scene {
 }
 
 impl Setting {
-    /// Returns scalar, composition and compensation.
+    /// Returns the scalar, the composition and the compensation.
     #[must_use]
     pub const fn scheme(&self) -> Scheme {
         self.scheme
     }
 
-    /// Returns ε, half the time step. For [`Need::Integrals`], ε has so few bits that its powers
-    /// are exact ([`nearest_short_eps`](kahan_core::nearest_short_eps)).
+    /// Returns ε, half the time step. For [`Need::Integrals`], powers of ε are exact
+    /// ([`nearest_short_eps`](kahan_core::nearest_short_eps)).
     #[must_use]
     pub const fn eps(&self) -> f64 {
         self.eps
     }
 
-    /// Returns the number of steps n. The horizon is 2εn up to the rounding of ε. For
-    /// [`Need::Integrals`], where ε has few bits, it is 2εn up to half a step.
+    /// Returns the number of steps n. The horizon is 2εn up to the rounding of ε, or up to half a
+    /// step for [`Need::Integrals`].
     #[must_use]
     pub const fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Returns the expected error, including safety factors. For a chosen setting it is at most the
-    /// scene's tolerance.
+    /// Returns the expected error, including safety factors.
     #[must_use]
     pub const fn error(&self) -> f64 {
         self.error
@@ -94,7 +90,7 @@ impl Setting {
             format!(".composed(Composition::{})", composition.name())
         };
         let compensated = if compensated { ".compensated()" } else { "" };
-        // The number of points is one more than the number of steps, because the orbit includes x₀.
+        // The orbit includes x₀, and so has one point more than steps.
         format!("let orbit = {orbit}{composed}{compensated}.take({});", u128::from(steps) + 1)
     }
 }
@@ -105,7 +101,7 @@ impl fmt::Display for Setting {
     }
 }
 
-/// Stores an infinite (unknown) error as `None`, because JSON has no infinity.
+/// Stores an infinite error as `None`, because JSON has no infinity.
 #[cfg(feature = "serde")]
 mod expected {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -1,8 +1,8 @@
 //! The cheapest setting that follows a trajectory.
 //!
-//! In: a map, a first point, a scene. Out: the cheapest setting whose observed error over the whole
-//! time is small enough. The solution is computed once ([`Flow`]), in `f64` or, if rounding errors
-//! matter, in [`Dd`]. An orbit ten times as accurate as requested checks the solution.
+//! The solution is computed once ([`Flow`]), in `f64` or, if rounding errors matter, in [`Dd`]. The
+//! observed error over the whole time must be small enough. An orbit ten times as accurate as
+//! requested checks the solution.
 
 use kahan_core::nalgebra::SVector;
 
@@ -16,9 +16,9 @@ use super::{NoSetting, Scene, Scheme, Setting};
 const MOST_WORK: f64 = 1e6;
 /// The tolerance below which the computation begins in `Dd`.
 const FINE: f64 = 1e-12;
-/// A bound on the accumulated rounding errors of a flow in `f64`, before amplification.
+/// A bound on the rounding errors of a flow in `f64` before amplification.
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
-/// The relative distance of the two starts from which growth is measured.
+/// The relative distance of two starts whose solutions are compared.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
 const SHARE: f64 = 0.4;
 /// A trial stops at this relative error, or at four tolerances if these are larger.
@@ -77,7 +77,7 @@ impl Budget {
         })
     }
 
-    /// Computes the solution in `f64`; returns `None` if amplified rounding errors exceed the
+    /// Computes the solution in `f64`. Returns `None` if amplified rounding errors exceed the
     /// tolerance. A second solution from a nearby start measures the amplification.
     fn sure_flow<F, const N: usize>(
         &mut self,
@@ -112,7 +112,6 @@ struct Choice<'a, T, M, const N: usize> {
 
 struct TrajectoryFailure {
     why: NoSetting,
-    /// Whether rounding errors were the cause, so that a wider precision may succeed.
     is_rough: bool,
 }
 
@@ -122,8 +121,8 @@ where
     M: ExtendScalars<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, TrajectoryFailure> {
-        // At the coarsest ε, the product of ε and rate is 4 in the mean. Compositions can use this
-        // ε, since their stages are shorter.
+        // At the coarsest ε, the product of ε and rate is 4 on average. Compositions have shorter
+        // stages.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = TrialOrbits { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::counted(runs, self.scene.tolerance);
@@ -148,7 +147,7 @@ where
     }
 }
 
-/// Orbits of one scene that are compared with the flow; the total work is limited.
+/// Orbits of one scene that are compared with the flow, within a limited amount of work.
 struct TrialOrbits<'a, T, M, const N: usize> {
     choice: &'a Choice<'a, T, M, N>,
     budget: &'a mut Budget,

@@ -1,5 +1,4 @@
-//! Sentences on drifts: functions that change by a constant in every step, and constant
-//! combinations of them.
+//! Writes sentences on drifts: functions that change by a constant in every step.
 
 use crate::claims::writing::is_product;
 use crate::drift::{Constant, Drift, DriftKind};
@@ -9,7 +8,6 @@ pub(super) const ENDS: &str = "By the drifts, each step adds a constant to one f
     a factor that is no root of unity. So the closure of a generic orbit has at least dimension 2, and rational \
     integrals are constant on it: nothing can be missing, and the search ended.";
 
-/// A function with a constant increment along orbits.
 struct ConstantIncrement {
     function: String,
     step: String,
@@ -33,14 +31,13 @@ impl ConstantIncrement {
         }
     }
 
-    /// Writes the function divided by its increment, for example `F1/(2*eps)`.
     fn quotient(&self) -> String {
         let ConstantIncrement { function, step, is_atom } = self;
         if *is_atom { format!("{function}/{step}") } else { format!("{function}/({step})") }
     }
 }
 
-/// Writes the sentence on drifts that change by a constant, or by a constant factor, in every step.
+/// Writes the sentence on drifts with a constant increment or a constant factor in each step.
 pub(super) fn drifts(report: &Report) -> Option<String> {
     let even: Vec<ConstantIncrement> = report.drifts.iter().filter_map(ConstantIncrement::of).collect();
     let (ConstantIncrement { function, step, is_atom }, others) = even.split_first()?;

@@ -24,7 +24,6 @@ pub(super) fn growth(proof: GrowthProof, entropy: f64) -> String {
     }
 }
 
-/// Writes the sentence on quadratic growth of degrees, if no integral is known.
 pub(super) fn quadratic(report: &Report) -> Option<String> {
     let degree = report.hilbert.as_ref()?.degree();
     let is_open = report.variables.len() == 2 && report.independent == 0;

@@ -56,7 +56,7 @@ fn several(all: &[HamiltonianReport], proof: impl Fn(bool) -> &'static str) -> S
     )
 }
 
-/// Writes the sentence on integrals of the flow, linear and quadratic, up to the searched degree.
+/// Writes the sentence on linear and quadratic integrals of the flow.
 fn flow(report: &Report) -> String {
     let structure = &report.structure;
     let (linear, quadratic) = (structure.linear_integrals.len(), structure.quadratic_integrals.len());

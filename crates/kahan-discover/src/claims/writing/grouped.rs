@@ -1,8 +1,7 @@
-//! Writes sums as sums of products. For example, 1 − ε²(b² − ac)(gy + hz)² has ten terms when
-//! expanded.
+//! Writes sums as sums of products, for example 1 − ε²(b² − ac)(gy + hz)² for ten expanded terms.
 //!
-//! A sum is split into groups: by powers of ε, or into the terms whose coefficients share a factor
-//! and the others. Each group is written recursively, and the shortest text is chosen.
+//! A sum is split into groups by powers of ε or by a common factor. Each group is written
+//! recursively, and the shortest text is chosen.
 
 use std::slice::from_ref;
 
@@ -62,8 +61,8 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // Lists each factor with the number of terms in the coefficients that contain the factor,
-        // and with the indices of these coefficients.
+        // Lists each factor, the number of terms in the coefficients with this factor, and the
+        // indices of these coefficients.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {
@@ -90,7 +89,7 @@ impl Writer<'_> {
         Some([part(true), part(false)].into_iter().filter(|part| !part.is_zero()).collect())
     }
 
-    /// Writes each group as a product, in the order of the expanded polynomial.
+    /// Writes each group as a product, in the order of terms of `polynomial`.
     fn parts(
         &self,
         polynomial: &Polynomial,
@@ -109,8 +108,6 @@ impl Writer<'_> {
             if let ([], [(Sum::Plain(sum), 1)]) = (product.front.powers(), &product.sums[..])
                 && product.content.abs().is_one()
             {
-                // A group that is a plain sum gets no parentheses. The text of the group includes
-                // the sign.
                 let sum = if product.content.is_negative() { -sum } else { sum.clone() };
                 let own = self.sum(&sum, depth - 1, budget);
                 match own.strip_prefix('-') {

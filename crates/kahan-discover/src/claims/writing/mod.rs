@@ -1,7 +1,7 @@
 //! Writes formulas in the language of `kahan!`: factored, and in powers of known polynomials.
 //!
-//! A long factor P may have a short text in powers of another polynomial F, as in the Lagrange top:
-//! P = Σ dₖ Fᵏ. Here F is linear in a variable v, and the dₖ are free of v.
+//! A long factor P may have a short text Σ dₖ Fᵏ, as for the Lagrange top. Here the polynomial F is
+//! linear in a variable v, and the coefficients dₖ do not contain v.
 
 mod grouped;
 mod powers;
@@ -23,10 +23,10 @@ use powers::{Scale, by_powers};
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
-/// The number of terms below which a factor is not written in powers.
+/// The least number of terms of a factor that is written in powers.
 const FEW_TERMS: usize = 12;
 
-/// The minimal number of terms for which conjugate factors are multiplied.
+/// The least number of terms for which conjugate factors are multiplied.
 const LONG_CONJUGATE: usize = 3;
 
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
@@ -44,8 +44,8 @@ pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
     factors
 }
 
-/// Writes ∏ above / ∏ below in factors. A factor may be written in powers of `by` or of a short
-/// factor of `below`.
+/// Writes the quotient of two products. Powers of `by`, or of a short factor of `below`, may
+/// shorten a factor.
 pub(crate) fn quotient(
     symbols: &Symbols,
     above: &[Polynomial],
@@ -62,7 +62,6 @@ pub(crate) fn quotient(
     below.join_conjugates(symbols);
     above.shorten(symbols, &by);
     below.shorten(symbols, &by);
-    // Combine the monomials and numbers of both sides into one fraction in lowest terms.
     let content = above.content.checked_div(&below.content).expect("a denominator is not zero");
     let (front_above, front_below) =
         (above.front.mul(&below.front_below), above.front_below.mul(&below.front));
@@ -136,8 +135,8 @@ impl Product {
         }
     }
 
-    /// Multiplies conjugate factors, (1 + εF)(1 − εF) = 1 − ε²F², so that a long F is written only
-    /// once.
+    /// Multiplies conjugate factors: (1 + εF)(1 − εF) = 1 − ε²F². A long polynomial F is then
+    /// written once.
     fn join_conjugates(&mut self, symbols: &Symbols) {
         let conjugate = |polynomial: &Polynomial| {
             let (odd, even): (Vec<_>, Vec<_>) = (polynomial.terms().map(|(m, c)| (m.clone(), c.clone())))
@@ -160,7 +159,7 @@ impl Product {
         }
     }
 
-    /// Chooses the shortest text of each factor. Long factors may be written in powers of `by`.
+    /// Chooses the shortest text of each factor, with powers of `by` if they are shorter.
     fn shorten(&mut self, symbols: &Symbols, by: &[Polynomial]) {
         for (sum, exponent) in &mut self.sums {
             let Sum::Plain(polynomial) = &*sum else { continue };
@@ -171,8 +170,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // The divisor moves to the other side of the fraction. To make up for it,
-                        // the text must be a third shorter.
+                        // A divisor lengthens the other side of the fraction, so this text must be
+                        // a third shorter.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));
@@ -191,7 +190,7 @@ impl Product {
     }
 }
 
-/// Writes content · front · ∏ sums. A single sum is written without parentheses.
+/// Writes content · front · ∏ sums.
 fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &[(Sum, u32)]) -> String {
     let text = |sum: &Sum| match sum {
         Sum::Plain(polynomial) => Text.polynomial(symbols, polynomial),
@@ -237,7 +236,7 @@ pub(crate) fn is_product(text: &str) -> bool {
     })
 }
 
-/// Tells whether the text is a single sum in parentheses, perhaps with an exponent.
+/// Tells whether the text is one sum in parentheses, perhaps with an exponent.
 fn is_group(text: &str) -> bool {
     let inner = text.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('^');
     let mut depth = 0;

@@ -1,6 +1,4 @@
-//! Writes a polynomial P in powers of a polynomial F that is linear in a variable v:
-//!
-//! P = Σ dₖ Fᵏ. The coefficients dₖ are free of v.
+//! Writes a polynomial P as Σ dₖ Fᵏ, where F is linear in a variable v and the dₖ are free of v.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -9,7 +7,7 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
-/// The factor content · front / front_below, which is written separately from the sum.
+/// The factor content · front / front_below, which is written outside the sum.
 pub(super) struct Scale {
     pub(super) content: Rational,
     pub(super) front: Monomial,
@@ -17,14 +15,14 @@ pub(super) struct Scale {
 }
 
 pub(crate) struct InPowers {
-    /// The product scale · P, with the base F replaced by the variable `fresh`.
+    /// The scaled polynomial, in which the variable `fresh` stands for the base.
     pub(crate) sum: Polynomial,
     pub(crate) fresh: Variable,
     pub(crate) scale: Polynomial,
 }
 
-/// Writes the polynomial in powers of `base`, which must be linear in `variable`, with a
-/// coefficient of one term without states. `None` otherwise, or beyond the budget.
+/// Writes the polynomial in powers of `base`, which must be linear in `variable`. The coefficient
+/// of `variable` in `base` must be one term without states.
 pub(crate) fn in_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -41,7 +39,7 @@ pub(crate) fn in_powers(
     if slope.len() > 1 || symbols.has_state(&slope) {
         return None;
     }
-    // Let F = μv + r be the base. Then μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, in which F is a variable.
+    // Let F = μv + r be the base. Then μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ.
     let highest = polynomial.degree_in(variable);
     let shifted = Polynomial::variable(fresh) - rest;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
@@ -49,7 +47,7 @@ pub(crate) fn in_powers(
     Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
-/// Removes terms free of states, then a common factor: from 1 − ε²(x − ay), x − ay remains.
+/// Removes terms free of states, then a common factor. For example, 1 − ε²(x − ay) becomes x − ay.
 fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     let has_states = |monomial: &Monomial| monomial.powers().iter().any(|&(v, _)| symbols.is_state(v));
     let moving = base.terms().filter(|(monomial, _)| has_states(monomial));
@@ -58,8 +56,7 @@ fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     moving.div_monomial(&common).expect("all terms have it").primitive_part()
 }
 
-/// Writes a polynomial in powers of the state-dependent terms of `base`. `None` if there is no such
-/// text, or if its terms would cancel for small ε.
+/// Writes a polynomial in powers of the state-dependent terms of `base`.
 pub(super) fn by_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -77,11 +74,11 @@ pub(super) fn by_powers(
     let sum = sum.div_monomial(&front)?;
     let content = sum.content();
     let sum = sum.primitive_part();
-    // An irreducible polynomial is not divisible by the base, so a power of the base is no factor.
+    // An irreducible polynomial is not divisible by the base.
     if front.exponent(fresh) > 0 {
         return None;
     }
-    // Reject this form: terms of the sum would cancel for small ε.
+    // Terms of the sum would cancel for small ε.
     if factor.exponent(symbols.epsilon()) > front.exponent(symbols.epsilon()) {
         return None;
     }

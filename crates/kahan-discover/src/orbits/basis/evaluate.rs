@@ -12,15 +12,13 @@ use crate::modular::weights::reduce;
 /// The coefficients of a basis's relation on one orbit, in floats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BasisValues {
-    /// The coefficients in the order of the monomials. The coefficient of the unit, a chosen
-    /// monomial, is 1.
+    /// The coefficients in the order of the monomials. The chosen unit monomial has coefficient 1.
     pub coefficients: Vec<f64>,
-    /// The condition number of the linear system for the coefficients. Each monomial is scaled by
-    /// its largest value.
+    /// The condition number of the linear system for the coefficients, which grows if points lie
+    /// close together. Each monomial is scaled by its largest value.
     ///
-    /// Suppose that the points have a relative error u. Then the terms cₖ max |mₖ|, with
-    /// coefficient cₖ and monomial mₖ, have errors of up to about `condition`·u, relative to the
-    /// largest term. The condition number grows if points lie close together.
+    /// Suppose that the points have a relative error u. Then each term cₖ max |mₖ| of coefficient
+    /// and monomial has an error of about `condition`·u or less, relative to the largest term.
     pub condition: f64,
 }
 
@@ -43,8 +41,8 @@ pub enum BasisError {
     },
     /// A point, or the value of a monomial at a point, is not finite.
     NotFinite,
-    /// The points do not determine the coefficients (in floats: not to one digit). Either the
-    /// points repeat or lie too close together, or the coefficient of the unit is 0 on this orbit.
+    /// The points do not determine the coefficients. Either the points repeat or lie too close
+    /// together, or the coefficient of the unit monomial is 0 on this orbit.
     Undetermined,
 }
 
@@ -69,11 +67,11 @@ impl fmt::Display for BasisError {
 impl Error for BasisError {}
 
 impl Basis {
-    /// Solves exactly for the coefficients along an orbit, in the order of the monomials. The
-    /// coefficient of the unit is 1. The first [`points`](Self::points) points of `orbit` are used.
+    /// Solves exactly for the coefficients along an orbit, with coefficient 1 for the unit
+    /// monomial. The first [`points`](Self::points) points of `orbit` are used.
     ///
     /// # Errors
-    /// Returns the reason why the coefficients cannot be computed, as a [`BasisError`].
+    /// Returns a [`BasisError`] if the coefficients cannot be computed.
     pub fn evaluate_exact(&self, orbit: &[Vec<Rational>]) -> Result<Vec<Rational>, BasisError> {
         self.check(orbit)?;
         let value = |exponents: &[u32], point: &[Rational]| {
@@ -109,11 +107,11 @@ impl Basis {
         Ok(coefficients)
     }
 
-    /// Solves for the coefficients along an orbit by least squares, in the order of the monomials.
-    /// The coefficient of the unit is 1. All points of `orbit` are used; they must be consecutive.
+    /// Solves for the coefficients along an orbit by least squares, with coefficient 1 for the unit
+    /// monomial. All points of `orbit` are used, and must be consecutive.
     ///
     /// # Errors
-    /// Returns the reason why the coefficients cannot be computed, as a [`BasisError`].
+    /// Returns a [`BasisError`] if the coefficients cannot be computed.
     pub fn evaluate(&self, orbit: &[Vec<f64>]) -> Result<BasisValues, BasisError> {
         self.check(orbit)?;
         let value = |exponents: &[u32], point: &[f64]| {
@@ -136,8 +134,7 @@ impl Basis {
         for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
             column /= *scale;
         }
-        // The iteration for singular values stops too early for solutions, which are computed
-        // separately.
+        // The iteration for singular values stops too early to be used for solutions.
         let singular_values = matrix.singular_values();
         let condition = singular_values.max() / singular_values.min();
         if condition.is_nan() || condition * f64::EPSILON > 1.0 {

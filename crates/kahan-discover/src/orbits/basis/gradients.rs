@@ -1,5 +1,4 @@
-//! Computes, modulo a prime, the gradients of a basis's coefficients with respect to the start of
-//! an orbit.
+//! Computes the gradients of a basis's coefficients as functions of the start, modulo a prime.
 
 use crate::maps::map::ModularMap;
 use crate::maps::modular_step::ModularStep;
@@ -9,17 +8,16 @@ use crate::orbits::relations::monomial_gradient;
 
 use super::Basis;
 
-/// Returns the gradient of every coefficient at a point. The gradient for the unit, whose
-/// coefficient is 1, is 0.
+/// Returns the gradient of every coefficient at a point. The coefficient 1 has the gradient 0.
 ///
 /// Let M be the values of the monomials along the orbit, and c the coefficients. Then M c = 0
-/// implies M dc = −dM c. `None` if the orbit ends at a pole, or if the relation is not unique.
+/// implies M dc = −dM c.
 pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
     let n = start.len();
     let size = basis.monomials.len();
     let mut point = start.to_vec();
-    // The Jacobian matrix ∂x_k/∂x_0 of the k-th point, row by row.
+    // The Jacobian matrix ∂x_k/∂x_0 of point k, row by row.
     let mut tangent: Vec<Vec<u64>> =
         (0..n).map(|i| (0..n).map(|j| if i == j { modulus.one() } else { 0 }).collect()).collect();
     let mut values: Vec<Vec<u64>> = Vec::new();

@@ -2,9 +2,9 @@
 //!
 //! The coefficients of the relation are constant along an orbit, so their quotients are integrals
 //! (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations", 2011).
-//! Values of the monomials at consecutive points determine the coefficients, even if a formula
+//! Values of the monomials at consecutive points determine the coefficients, even where a formula
 //! would have thousands of terms. `candidates` finds bases, and [`prove`] proves them.
-//! [`Basis::evaluate`] computes the integrals in floats, [`Basis::evaluate_exact`] exactly.
+//! [`Basis::evaluate`] computes the integrals in floats, and [`Basis::evaluate_exact`] exactly.
 
 mod evaluate;
 mod gradients;
@@ -31,15 +31,16 @@ use crate::orbits::relations::Relations;
 pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
-/// A sum of monomials, each with an integer factor; the indices of the monomials ascend. The first
-/// factor is 1. The coefficient of a monomial in the relation is its factor times the coefficient
-/// of the first monomial.
+/// A sum of monomials with integer factors, as pairs of index and factor with ascending indices.
+/// The first factor is 1. In the relation, each factor multiplies the coefficient of the first
+/// monomial.
 pub type Term = Vec<(usize, i64)>;
 
-/// Monomials mₖ with one relation Σ cₖ mₖ(x) = 0 along every orbit. The coefficients cₖ differ
-/// between orbits. One monomial is chosen as the unit. If the coefficients are scaled so that the
-/// unit has coefficient 1, each cₖ is an integral of the map. Monomials whose coefficients always
-/// have constant integer quotients form one term.
+/// Monomials mₖ with one relation Σ cₖ mₖ(x) = 0 along every orbit.
+///
+/// The coefficients cₖ differ between orbits. They are scaled so that one monomial, the unit, has
+/// the coefficient 1. Then each cₖ is an integral of the map. Monomials whose coefficients have
+/// constant integer quotients form one term.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -62,16 +63,16 @@ pub type Term = Vec<(usize, i64)>;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Basis {
-    /// The exponents of the states in each monomial. The monomials ascend by degree.
+    /// The exponents of the states in each monomial, by ascending degree.
     pub monomials: Vec<Vec<u32>>,
     /// The terms of the relation.
     pub terms: Vec<Term>,
-    /// The index of the unit, the monomial whose coefficient is 1.
+    /// The index of the unit, the monomial with coefficient 1.
     pub unit: usize,
     /// The indices of coefficients that are independent integrals without a formula.
     pub integrals: Vec<usize>,
-    /// The number of random points and primes at which the relation was checked. The probability of
-    /// an error is below 2⁻¹⁰⁰. `None` if the relation was only observed.
+    /// The number of random points and primes at which the relation was checked, or `None` if the
+    /// relation was only observed. The probability of an error is below 2⁻¹⁰⁰.
     pub proof: Option<u32>,
 }
 
@@ -82,7 +83,7 @@ impl Basis {
         self.monomials.iter().map(|exponents| monomial_text(states, exponents, &Text)).collect()
     }
 
-    /// Writes the terms of the relation, which are sums of monomials, in a notation.
+    /// Writes the terms of the relation in a notation.
     #[must_use]
     pub fn term_texts(&self, states: &[String], notation: &dyn Notation) -> Vec<String> {
         let text = |term: &Term| {
@@ -103,7 +104,7 @@ impl Basis {
         self.terms.iter().map(text).collect()
     }
 
-    /// Writes the relation, for example `c0 + c1*(x^2 + y^2) = 0`. The coefficients are numbered by
+    /// Writes the relation, for example `c0 + c1*(x^2 + y^2) = 0`, with one coefficient for each
     /// term.
     #[must_use]
     pub fn relation(&self, states: &[String], notation: &dyn Notation) -> String {
@@ -123,8 +124,8 @@ impl Basis {
         self.terms.iter().position(|term| term.iter().any(|&(own, _)| own == place))
     }
 
-    /// Returns quotients of coefficients that are independent integrals. Each is a pair (numerator,
-    /// denominator) of term numbers as in [`relation`](Self::relation).
+    /// Returns pairs (numerator, denominator) of terms whose coefficients have independent
+    /// integrals as quotients. Terms are numbered as in [`relation`](Self::relation).
     #[must_use]
     pub fn quotients(&self) -> Vec<(usize, usize)> {
         let unit = self.term_of(self.unit);
@@ -132,8 +133,7 @@ impl Basis {
         quotients.collect()
     }
 
-    /// Returns the integral that a relation of two terms gives. `None` if the relation has more
-    /// than two terms or more than eight monomials.
+    /// Returns the integral that a relation of two terms gives, for at most eight monomials.
     pub(crate) fn quotient_of_terms(
         &self,
         searched: &SearchField,
@@ -157,8 +157,8 @@ impl Basis {
         Some((sum(above), sum(below)))
     }
 
-    /// Joins monomials into one term if the quotient of their coefficients is the same integer on
-    /// three orbits.
+    /// Joins monomials into one term if their coefficients have an integer quotient that is equal
+    /// on three orbits.
     pub(crate) fn join(&mut self, searched: &SearchField, random: &mut SplitMix64) {
         let mut sampled: Vec<(Modulus, Vec<u64>)> = Vec::new();
         for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
@@ -190,7 +190,6 @@ impl Basis {
     }
 
     /// Returns the coefficients of the relation along the orbit of a point, up to a common factor.
-    /// `None` if the relation is not unique, or if the orbit ends at a pole.
     fn coefficients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<u64>> {
         let modulus = map.modulus();
         let orbit = map.orbit(start.to_vec(), self.monomials.len());
@@ -208,15 +207,13 @@ impl Basis {
         Some(self.integrals.iter().map(|&place| all[place].clone()).collect())
     }
 
-    /// Returns the number of consecutive points that determine the coefficients: the number of
-    /// terms minus 1.
+    /// Returns the number of consecutive points that determine the coefficients.
     #[must_use]
     pub fn points(&self) -> usize {
         self.terms.len() - 1
     }
 }
 
-/// The most monomials of a relation that may be written with two terms.
 const MOST_IN_TWO_TERMS: usize = 8;
 
 const LARGEST_FACTOR: i64 = 4;
@@ -231,10 +228,8 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
     if powers.is_empty() { "1".to_owned() } else { notation.product(&powers) }
 }
 
-/// Chooses bases until `wanted` integrals are independent. The integrals with `gradients` at
-/// `place` are counted together with those of the bases. Short bases are preferred, and bases
-/// without a new integral are skipped. The new gradients are appended. There are fewer integrals if
-/// the candidates do not suffice.
+/// Chooses the shortest bases until `wanted` integrals are independent, or no candidate is left.
+/// The integrals with `gradients` at `place` are counted, and the new gradients are appended.
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
@@ -269,9 +264,8 @@ pub(crate) fn completing(
 /// The number of monomials above which only two orders of the variables are tried.
 const MANY: usize = 250;
 
-/// Returns sets of monomials up to a degree that have one relation, the smallest sets first. The
-/// list ends early at the deadline. The cost is 2n + 1 echelon forms of N columns, where N = C(n +
-/// degree, n) and n is the number of states.
+/// Returns sets of monomials up to a degree that have one relation, the smallest sets first. In n
+/// variables the cost is 2n + 1 echelon forms of N columns, where N = C(n + degree, n).
 pub(crate) fn candidates(
     searched: &SearchField,
     degree: u32,
@@ -325,8 +319,7 @@ fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     orders
 }
 
-/// Reduces the relations so that the highest monomial of the order leads. `None` if the deadline
-/// passes.
+/// Reduces the relations so that the highest monomial of the order leads.
 fn reduced_in(
     modulus: &Modulus,
     relations: &Relations,
@@ -343,15 +336,14 @@ fn reduced_in(
     Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }
 
-/// Returns the candidate on these monomials. `None` if a state divides all of them. The unit is the
-/// constant monomial if present, or else the lowest one.
+/// Returns the candidate on these monomials, unless a state divides all of them. The lowest
+/// monomial is the unit.
 fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
     let n = monomials.variables();
     if support.len() < 2 {
         return None;
     }
     let exponents: Vec<&[u32]> = support.iter().map(|&index| monomials.exponents(index)).collect();
-    // Skip a relation that is another relation multiplied by a state.
     let is_multiple = (0..n).any(|state| exponents.iter().all(|own| own[state] > 0));
     (!is_multiple).then(|| Basis {
         monomials: exponents.into_iter().map(<[u32]>::to_vec).collect(),

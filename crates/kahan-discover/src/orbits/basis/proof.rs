@@ -1,11 +1,10 @@
 //! Proves that the terms of a basis have one relation along every orbit.
 //!
 //! Let the basis have r + 1 terms. Their determinant at r + 1 consecutive points must vanish
-//! identically, while r rows are independent. The map is birational, so r later points are as
-//! generic as the first ones, and the relation holds on the whole orbit. The determinant is a
-//! rational function of bounded degree and size, and it is evaluated at random points modulo random
-//! primes. Degrees grow exponentially with the number of steps. Points on both sides of the start
-//! halve this number.
+//! identically, while r rows are independent. The map is birational, so later points are as generic
+//! as the first ones, and the relation holds on the whole orbit. The determinant is a rational
+//! function of bounded degree and size, and is evaluated at random points modulo random primes.
+//! Points on both sides of the start keep the degrees low.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -23,12 +22,13 @@ use super::{Basis, Term};
 
 const MOST_POINTS: u32 = 64;
 
-/// The most starts of orbits to try, since orbits may end at poles.
 const MOST_SAMPLES: usize = 16;
 
-/// Proves the basis with a probability of error below 2⁻¹⁰⁰, and returns the number of points
-/// modulo random primes. `None` if a point refutes the basis, degrees are too high for 61-bit
-/// primes, or the deadline passes.
+/// Proves the basis with a probability of error below 2⁻¹⁰⁰, and returns the number of random
+/// points.
+///
+/// Returns `None` if a point refutes the basis, degrees are too high for 61-bit primes, or the
+/// deadline passes.
 pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &Deadline<'_>) -> Option<u32> {
     let size = determinant_size(basis, field, searched.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
@@ -37,8 +37,7 @@ pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &De
     (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, searched, &mut random)).then_some(points)
 }
 
-/// Returns whether the terms have exactly one relation at consecutive points, one more than needed
-/// to determine it. The orbit is random, modulo a random prime.
+/// Returns whether the terms have exactly one relation on a random orbit modulo a random prime.
 fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Random) -> bool {
     for _ in 0..MOST_SAMPLES {
         let modulus = Modulus::random(random);
@@ -55,7 +54,7 @@ fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Rando
         let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
         let width = basis.terms.len();
         let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
-        // If too few rows are independent, this point decides nothing.
+        // With too few independent rows, this point decides nothing.
         if fewer < width - 1 {
             continue;
         }
@@ -81,20 +80,19 @@ impl Basis {
     }
 }
 
-/// Bounds on the total degree of a polynomial, and on log₂ of its 1-norm, the sum of |coefficient|.
+/// Bounds on the degree of a polynomial, and on log₂ of its 1-norm, the sum of |coefficient|.
 #[derive(Clone, Copy)]
 struct Bound {
     degree: u64,
     bits: u64,
 }
 
-/// Bounds the determinant of the values of all terms at all points.
 fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let (before, after) = halves(basis);
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // Count one bit for each doubling of the number of rows, and of the sum of the factors.
+    // Each doubling of the number of rows, and of the sum of the factors, counts one bit.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = Bound { degree: 0, bits: size * bits };
     for steps in [before, after] {
@@ -109,9 +107,8 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     Some(total)
 }
 
-/// Bounds the image x̃ = X̃/W̃ of the point x = X/W. Each bound holds for numerator and
-/// denominator. Row i of A x̃ = b, times qᵢW with the denominator qᵢ of component i, has degree 1
-/// in X and W. Cramer's rule multiplies n rows.
+/// Bounds numerators and denominator of the image of a point x = X/W, by Cramer's rule for A x̃ =
+/// b.
 fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;
@@ -119,8 +116,8 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let sides = || field.numerators().chain(field.denominators());
     let of_coefficients = sides().map(others).max()?;
     let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
-    // The 1-norm of row i is at most |qᵢ| + 4 |pᵢ|, times the size of a fixed ε. Here pᵢ/qᵢ is
-    // component i of the field.
+    // The 1-norm of row i is at most |qᵢ| + 4 |pᵢ| for the component pᵢ/qᵢ, times the size of a
+    // fixed ε.
     let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
     Some(Bound {
         degree: degree.checked_mul(n)?,
@@ -128,7 +125,6 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     })
 }
 
-/// Returns an upper bound on log₂ of the polynomial's 1-norm after clearing denominators.
 fn norm_bits(polynomial: &Polynomial) -> u64 {
     let all: u64 = polynomial.terms().map(|(_, coefficient)| coefficient.bits()).sum();
     all + u64::from((polynomial.len() as u64 + 1).ilog2()) + 1

@@ -10,8 +10,7 @@ fn field(text: &str) -> Field {
     read(&lexer::lex(text).tokens).system().expect("a system").field.as_ref().clone()
 }
 
-/// Clebsch's case of a rigid body in a fluid. The map has four integrals in six variables, one of
-/// them with few terms.
+/// Clebsch's case of a rigid body in a fluid, with four integrals in six variables.
 const CLEBSCH: &str = "m1dot = (w3 - w2)*p2*p3; m2dot = (w1 - w3)*p3*p1; m3dot = (w2 - w1)*p1*p2;
     p1dot = p2*m3 - p3*m2; p2dot = p3*m1 - p1*m3; p3dot = p1*m2 - p2*m1;";
 
@@ -30,7 +29,7 @@ fn found(text: &str, degree: u32, wanted: usize) -> (SearchField, Field, Vec<Bas
 fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
     let (searched, field, bases) = found(CLEBSCH, 2, 4);
     assert_eq!(bases.iter().map(|basis| basis.integrals.len()).sum::<usize>(), 4);
-    // The shortest basis is the one that Petrera, Pfadler and Suris found.
+    // Petrera, Pfadler and Suris found the shortest basis.
     assert_eq!(bases[0].monomial_texts(&field.symbols.states), ["1", "p3^2", "p2^2", "p1^2"]);
     for basis in &bases {
         assert!(prove(basis, &searched, &field, &Deadline::never()).is_some());
@@ -128,7 +127,7 @@ fn gradients_are_those_of_the_coefficients() {
     }
 }
 
-/// Tests Kirchhoff's case with two equal moments, in which the body is symmetric about its axis.
+/// Tests Kirchhoff's case with two equal moments.
 #[test]
 fn monomials_with_equal_coefficients_are_joined() {
     let kirchhoff =

@@ -1,9 +1,8 @@
 //! Maps of the plane: proofs of exponential growth of degrees, and conclusions from linear growth.
 //!
-//! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. A(x)x̃ is affine in x for
-//! A = I − ε f′, so φ is given by three quadratic forms Φ on ℙ², and dₖ = deg φᵏ ≤ 2ᵏ. The function
-//! `growth` proves exponential growth by one large degree or by the module `stability`. The
-//! function `linear` excludes integrals by linear growth.
+//! Let φ be Kahan's map in two variables. Three quadratic forms Φ on ℙ² define φ, so the iterates
+//! have degrees dₖ = deg φᵏ ≤ 2ᵏ. The function `growth` proves exponential growth by one large
+//! degree or by the module `stability`. The function `linear` excludes integrals by linear growth.
 
 mod stability;
 
@@ -19,13 +18,12 @@ use crate::orbits::growth::{Growth, GrowthVerdict};
 /// A proof that degrees grow exponentially.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GrowthProof {
-    /// The degrees of all iterates are dₖ = 2ᵏ, since the map is algebraically stable modulo a
-    /// prime.
+    /// The map is algebraically stable modulo a prime, so the iterates have the degrees 2ᵏ.
     Stable {
         /// The prime modulo which the map is stable.
         prime: u64,
     },
-    /// One degree satisfies dₖ > k² + 1, which proves that growth is exponential.
+    /// Iterate k has a degree dₖ > k² + 1, which proves exponential growth.
     Degree {
         /// The number k of the iterate.
         iterate: usize,
@@ -37,14 +35,14 @@ pub enum GrowthProof {
 /// The numbers k of the iterates to try in turn. The proof needs a degree dₖ > k² + 1.
 const ITERATES: [usize; 4] = [8, 16, 32, 64];
 
-/// Classifies the growth of the degrees of a sampled map. In the plane, exponential growth is also
-/// proved.
+/// Classifies the growth of the degrees of a sampled map, and proves exponential growth in the
+/// plane.
 ///
-/// **A bound on degrees.** Suppose that φ preserves a pencil of curves, curve by curve (as with a
-/// rational integral) or permuting them. Let w be the class of these curves in the Picard–Manin
-/// space, and ℓ the class of a line. Then w² = 0, w·ℓ > 0 and φ∗w = w. The classes uⱼ = φʲ∗ℓ
-/// satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ − uⱼ lies in w^⊥, on which the form is negative
-/// semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎ − 1). The triangle inequality gives
+/// **A bound on degrees.** Let dₖ = deg φᵏ for the map φ. Suppose that φ permutes the curves of a
+/// pencil. Let w be the class of these curves in the Picard–Manin space, and ℓ that of a line. Then
+/// φ∗w = w, w² = 0 and w·ℓ > 0. The classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So
+/// uᵢ − uⱼ lies in w^⊥, on which the form is negative semidefinite (Hodge). The negative square
+/// −(uᵢ − uⱼ)² is 2(d₍ᵢ₋ⱼ₎ − 1). The triangle inequality gives
 ///
 /// dₖ − 1 ≤ k²(d₁ − 1) ≤ k².
 ///
@@ -53,10 +51,10 @@ const ITERATES: [usize; 4] = [8, 16, 32, 64];
 /// 2001; Cantat 2011), and the inequality holds as well. So a single degree dₖ > k² + 1 proves that
 /// growth is exponential and that no rational integral exists.
 ///
-/// **Degrees modulo a prime are lower bounds.** Let R be ℤ[parameters, ε] localised at the prime
-/// ideal of the prime and the sampled values; R is factorial. By Gauss's lemma Φᵏ = HΨ with forms H
-/// and Ψ over R, where Ψ has degree dₖ. Suppose that a point of a line has a k-th image modulo the
-/// prime. Then the reduced Φᵏ and H are not zero there, and the reduced Ψ gives this image. On the
+/// **Degrees modulo a prime are lower bounds.** Let R be the factorial ring ℤ[parameters, ε]
+/// localised at the prime ideal of the prime and the sampled values. By Gauss's lemma the forms Φ
+/// of the map satisfy Φᵏ = HΨ with forms H and Ψ over R, where Ψ has degree dₖ. Suppose that a
+/// point has an image under φᵏ modulo the prime. Then Ψ modulo the prime gives this image. On a
 /// line these images are rational functions of degree at most dₖ, for which Thiele's continued
 /// fraction finds at most this degree.
 pub(crate) fn growth(
@@ -98,16 +96,17 @@ pub(crate) fn growth(
 /// The number of iterates over which degrees must grow linearly before growth is called linear.
 const LINEAR_ITERATES: usize = 200;
 
-/// Returns the number of iterates whose degrees grow linearly. `None` unless linear growth excludes
+/// Returns the number of iterates with linear growth of degrees, if linear growth excludes
 /// integrals.
 ///
-/// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre). It acts on
-/// the parameter t of the pencil by a Möbius map μ. A drift F and an integral are constant on the
-/// curves, so both are functions of t. If F ↦ F(x̃) has infinite order as a Möbius map, so has μ,
-/// and every integral is constant. F + c with c ≠ 0 has infinite order, and so has c·F unless c =
-/// ±1. Suppose that ε is generic and the field is defined at ε = 0. Then a Möbius map with matrix M
-/// has infinite order, too. For order n > 1, (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε, but at ε =
-/// 0 the map is the identity with the value 4. Linear growth itself is observed, not proved.
+/// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre). The
+/// parameter t of the pencil changes by a Möbius map μ. Integrals and drifts are functions of t. If
+/// a drift has infinite order as a Möbius map, so has μ, and every integral is constant.
+///
+/// The maps F + c with c ≠ 0 and c·F with c ≠ ±1 have infinite order. A Möbius map with matrix M of
+/// finite order n > 1 satisfies (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε. The identity has the
+/// value 4, and is the map at ε = 0 if the field is defined there. At generic ε, all other Möbius
+/// maps then have infinite order. Linear growth itself is observed, not proved.
 pub(crate) fn linear(
     searched: &SearchField,
     map: &ModularMap,

@@ -2,9 +2,8 @@
 //!
 //! A birational map φ of ℙ² is *algebraically stable* if no iterate sends a curve to a point of
 //! indeterminacy. Then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001, theorem
-//! 1.14). Let Φ be the forms of φ. If the forms of Φᵏ have a common factor that those of Φᵏ⁻¹ lack,
-//! φᵏ⁻¹ sends the factor's curve to a point of indeterminacy. Reduction modulo a prime preserves
-//! common factors, so stability modulo a prime suffices.
+//! 1.14). A map that is not stable has iterates whose forms share a factor. Reduction modulo a
+//! prime preserves common factors, so stability modulo a prime suffices.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -14,28 +13,25 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// The least number from which a prime is sought. Modulo a prime p, an orbit has about p/3 steps.
-/// The proof fails by chance with a probability of about 3/p.
+/// The least prime to try. The proof modulo a prime p fails by chance with a probability of about
+/// 3/p.
 const LEAST: u64 = 211;
 /// The number of integers from which the search for a prime may start.
 const SPREAD: u64 = 1000;
 
-/// The most samples. If the three contracted lines are conjugate, one sample in six contains all of
-/// them.
+/// The most samples. If the contracted lines are conjugate, one sample in six contains all three.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
 
-/// Finds a prime modulo which the map is algebraically stable of degree 2, at sampled parameters
-/// and ε.
+/// Finds a prime modulo which the map is algebraically stable of degree 2.
 ///
-/// Let Φ be the forms of the map. The inverse of Kahan's map is the map at −ε. Let Ψ be its forms:
-/// Ψ∘Φ = κ·(X, Y, Z) with a cubic form κ. The map contracts exactly the curves of κ: outside of
-/// them Ψ∘Φ separates points, and on them Ψ vanishes at the values of Φ. If κ is a product of
-/// linear forms, the curves are lines ℓᵢ with images qᵢ. Modulo the prime the orbit of qᵢ is
-/// finite. The orbit cannot be periodic outside the lines, since φ is injective there and never
-/// takes the value qᵢ there. So it reaches a point of indeterminacy, or a line ℓⱼ, after which it
-/// is the orbit of qⱼ. Following each qᵢ for finitely many steps decides stability.
+/// Let Φ be the forms of the map, and Ψ the forms of the inverse (the map at −ε). Then Ψ∘Φ is κ
+/// times the identity, with a cubic form κ. The map contracts exactly the curves of κ. If κ is a
+/// product of linear forms, these curves are lines ℓᵢ with images qᵢ. Modulo the prime the orbit of
+/// qᵢ is finite. Outside of the lines the orbit cannot be periodic, since φ is injective there and
+/// never takes the value qᵢ. So the orbit reaches a point of indeterminacy, or a line ℓⱼ and then
+/// qⱼ. Finitely many steps from each qᵢ therefore decide stability.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -59,21 +55,22 @@ struct Forms {
 
 impl Forms {
     /// Returns whether the map is stable and has degree 2. The cubic form κ must have three linear
-    /// factors, counted with multiplicity. If the degree is lower, Φ vanishes on the line of a
-    /// linear factor of κ.
+    /// factors, counted with multiplicity. If the degree is lower, Φ vanishes on one of their
+    /// lines.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
-        // A quadratic form with three zeros on a line vanishes on the line, so try three points.
+        // A quadratic form with three zeros on a line vanishes on the line, so three points
+        // suffice.
         let image =
             |line: &Point| (0..3).map(|t| self.image(self.on(line, t))).find(|image| *image != [0; 3]);
         lines.iter().all(|line| image(line).is_some_and(|start| self.walk_is_stable(start)))
     }
 
-    /// Returns whether the orbit of a point reaches a contracted line before a point of
+    /// Returns whether the orbit of a point meets a contracted line before any point of
     /// indeterminacy.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // The limit only prevents an endless loop: every orbit leaves the complement of the lines.
+        // Every orbit leaves the complement of the lines, so the limit is never reached.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -109,9 +106,8 @@ impl Forms {
         powers.iter().any(|powers| self.is_product(&lines, powers)).then_some(lines)
     }
 
-    /// Returns whether the cubic form κ is a nonzero constant times powers of lines, whose
-    /// exponents have the sum 3. Two cubic forms are equal if they agree at the ten points (i, j,
-    /// k) with i + j + k = 3.
+    /// Returns whether κ is a nonzero constant times these powers of lines. Cubic forms that agree
+    /// at the ten points (i, j, k) with i + j + k = 3 are equal.
     fn is_product(&self, lines: &[Point], powers: &[u32]) -> bool {
         let modulus = self.modulus();
         let places = (0..=3).flat_map(|i| (0..=3 - i).map(move |j| [i, j, 3 - i - j]));
@@ -128,7 +124,7 @@ impl Forms {
         right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
     }
 
-    /// Returns the zeros of the cubic form κ on a line, except the line's first point. `None` if κ
+    /// Returns the zeros of κ on a line, except the line's first point. Returns `None` if κ
     /// vanishes on the line.
     fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
         let modulus = self.modulus();
@@ -143,7 +139,7 @@ impl Forms {
         (zeros.len() <= 3).then_some(zeros)
     }
 
-    /// Returns the point with number t on a line. Points differ for different t below the prime.
+    /// Returns point t of a line. Points with different t below the prime are different.
     fn on(&self, line: &Point, t: u64) -> Point {
         let modulus = self.modulus();
         let [a, b] = match line.iter().position(|&entry| entry != 0) {
@@ -179,9 +175,8 @@ impl Forms {
         self.forms(point, self.map.eps())
     }
 
-    /// Returns (adj A · b, det A) for the linear system A x̃ = b of the map in homogeneous
-    /// coordinates: A = Z − ε f′, b = x + ε Bx + 2ε cZ. Here f has the linear part Bx and the
-    /// constant part c.
+    /// Returns (adj A · b, det A) for the homogeneous linear system A x̃ = b of the map: A = Z − ε
+    /// f′ and b = x + ε Bx + 2ε cZ, where f has the linear part Bx and the constant part c.
     fn forms(&self, point: Point, eps: u64) -> Point {
         let modulus = self.modulus();
         let mut matrix = [[point[2], 0], [0, point[2]]];

@@ -5,7 +5,6 @@ use super::*;
 use crate::modular::modulus::Modulus;
 
 const LOTKA_VOLTERRA: &str = "xdot = x*(1 - y); ydot = y*(x - 1);";
-/// The equations of Zander's field with exponents (1, 1, 3).
 const ZANDER_113: &str = "xdot = x*(x + y) + 3*x*y; ydot = -(y*(x + y) + 3*x*y);";
 
 fn field(text: &str) -> std::sync::Arc<Field> {
@@ -43,8 +42,7 @@ fn growth_that_shows_is_proved_from_more_degrees() {
     assert!(matches!(found.proof, Some(GrowthProof::Degree { iterate: 5, degree: 32 })), "{found:?}");
 }
 
-/// Tests maps that preserve a pencil of curves: no degree exceeds k² + 1, and no prime shows
-/// stability.
+/// Tests maps that preserve a pencil of curves.
 #[test]
 fn no_other_growth_is_proved_exponential() {
     let integrable = [

@@ -1,8 +1,8 @@
 //! Invariant Poisson brackets of the form (I − ε² f′²)K for fields f = K∇H with a constant K.
 //!
-//! Let A(x,ε) = I − ε f′(x). The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε), and f′K is
-//! symmetric, so P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ. P is invariant in
-//! the plane, where P = det A · K, and in direct sums of planar systems. It is also invariant for
+//! The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε) for A(x,ε) = I − ε f′(x), and f′K is
+//! symmetric. So P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ. P is invariant in
+//! the plane, where P = det A · K, and in direct sums of planar systems. P is also invariant for
 //! planar fields over a commutative algebra (the canonical systems of Petrera and Suris), but not
 //! in general.
 
@@ -22,8 +22,8 @@ use super::polynomial::{PoissonTensor, Tensor};
 const MOST_TERMS: usize = 3_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// Computes (I − ε² f′²)K for one constant K of `structure`. `None` if the result is not an
-/// invariant bracket modulo a prime, or if it is beyond the budget.
+/// Computes (I − ε² f′²)K for one constant K of `structure`, if the result is an invariant bracket
+/// modulo a prime.
 pub(crate) fn of_structure(
     searched: &SearchField,
     field: &Field,
@@ -101,15 +101,15 @@ impl PoissonTensor {
         matrix_at(searched, place, point, &self.entries)
     }
 
-    /// Returns the rank of the tensor P at a point. `None` unless J P Jᵀ = P(x̃), with the Jacobian
-    /// J of the map, and Jacobi's identity hold there.
+    /// Returns the rank of the tensor P at a point. Returns `None` unless Jacobi's identity and J P
+    /// Jᵀ = P(x̃) hold there, where J is the Jacobian of the map.
     fn invariant_rank(&self, searched: &SearchField, place: &SampledStep) -> Option<usize> {
         let map = &place.sample.map;
         let modulus = map.modulus();
         let jacobian = map.jacobian(&place.here, &place.there)?;
         let here = self.at(searched, place, &place.here)?;
         let there = self.at(searched, place, &place.there)?;
-        // P is antisymmetric, so row i of J·P is −P times row i of the Jacobian J.
+        // P is antisymmetric, so row i of J·P is −P times row i of J.
         let half: Vec<Vec<u64>> = jacobian
             .iter()
             .map(|row| here.iter().map(|own| modulus.opposite(modulus.dot(row, own))).collect())

@@ -1,20 +1,19 @@
 //! Computes the Poisson tensor that a density and n − 2 integrals define.
 //!
-//! Each gradient is brought over one denominator and divided by common factors, so that minors are
-//! those of small polynomials. Finally the tensor is multiplied by all these factors.
+//! Each gradient is divided by a common factor, so that minors are those of small polynomials. The
+//! tensor is multiplied by these factors at the end.
 
 use kahan_algebra::kahan::maximal_minors;
 use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within, gcd_within};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
-/// Returns the bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper for a
-/// `density` ρ and n − 2 `integrals` I, n ≥ 2. The result has the entries above the diagonal, row
-/// by row; for n = 2 it has the entry 1/ρ. The bracket satisfies Jacobi's identity for any
-/// functions I, which are its Casimir functions. The bracket is invariant under maps that preserve
-/// ρ dx and all I. Returns `None` for a zero density, for dependent integrals, or beyond the
-/// budget. The cost is n greatest common divisors for each gradient, and the minors of n − 2 rows
-/// by Laplace expansion, where zero minors are free.
+/// Returns the bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper, for a
+/// `density` ρ and n − 2 `integrals` I. The result has the entries above the diagonal, row by row.
+///
+/// The bracket satisfies Jacobi's identity, and the functions I are Casimir functions. Maps that
+/// preserve ρ dx and all I preserve the bracket. Returns `None` for a zero density, for dependent
+/// integrals, or beyond the budget.
 pub(super) fn invariant_tensor(
     symbols: &Symbols,
     density: &RationalFunction,
@@ -38,8 +37,7 @@ pub(super) fn invariant_tensor(
         for k in j + 1..n {
             let others = ((1u64 << n) - 1) & !(1 << j | 1 << k);
             let minor = minors.remove(&others).unwrap_or_default();
-            // The variable x_j passes the j variables before it, then x_k passes the remaining k −
-            // 1 variables before it.
+            // The sign counts the j variables before x_j and the other k − 1 variables before x_k.
             let minor = if (j + k - 1) % 2 == 1 { -&minor } else { minor };
             entries.push(RationalFunction::from(minor).mul_within(&factor, budget).ok()?);
         }

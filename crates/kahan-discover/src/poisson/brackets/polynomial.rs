@@ -1,10 +1,9 @@
 //! Invariant Poisson brackets with polynomial entries, of any rank.
 //!
-//! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant if J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is linear
-//! in the coefficients of P. Jacobi's identity is quadratic. If elements of a reduced basis and
-//! sums of two of them satisfy it, so do all linear combinations of these elements. The rank of a
-//! sum can exceed the ranks of its summands. The search ends at the degree of the first bracket of
-//! full rank, which is n or n − 1 in n dimensions.
+//! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant if J P(x) Jᵀ = P(x̃) for J = ∂x̃/∂x. This condition is
+//! linear in the coefficients of P, and Jacobi's identity is quadratic. If elements of a basis and
+//! sums of two of them satisfy Jacobi's identity, so do all linear combinations. A sum may have a
+//! higher rank than its summands. The search ends at the degree of the first bracket of full rank.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -47,8 +46,8 @@ const MOST_ELEMENTS: usize = 40;
 
 const MOST_TENSORS: usize = 4;
 
-/// The monomials of the entries, and the entries above the diagonal. The coefficient of monomial m
-/// in entry k has the index m·pairs + k.
+/// The monomials of the entries, and the positions of entries above the diagonal. The coefficient
+/// of monomial m in entry k has the index m·pairs + k.
 struct TensorMonomials {
     monomials: Monomials,
     pairs: Vec<(usize, usize)>,
@@ -60,17 +59,17 @@ pub(crate) struct PoissonTensor {
     pub(crate) entries: Vec<Polynomial>,
     /// The index of the constant matrix K, if the tensor is (I − ε² f′²)K.
     pub(crate) structure: Option<usize>,
-    /// Whether the bracket is proved but not written, because brackets that are written imply it.
+    /// Whether the bracket is omitted from the text because written brackets imply it.
     pub(crate) is_implied: bool,
 }
 
 impl PoissonTensor {
-    /// Returns a polynomial p such that 1/p is a candidate for an invariant density.
+    /// Returns a polynomial p such that 1/p is a candidate for an invariant density, if the rank is
+    /// full.
     ///
-    /// In even dimension p is the Pfaffian of the tensor. In odd dimension, take the Pfaffians
-    /// without one row and column. If a Casimir function is a polynomial, they are its gradient
-    /// times a common factor; p is their greatest common divisor. `None` if the rank is not full,
-    /// or beyond the budget.
+    /// In even dimension p is the Pfaffian of the tensor. In odd dimension p is the greatest common
+    /// divisor of the Pfaffians without one row and column. These Pfaffians are the gradient of a
+    /// polynomial Casimir function times a common factor.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
         let all: Vec<usize> = (0..n).collect();
         if n.is_multiple_of(2) {
@@ -87,8 +86,7 @@ impl PoissonTensor {
         gcd_all_within(&minors, budget).ok()
     }
 
-    /// Returns the Pfaffian of the rows and columns with these indices, by expansion along the
-    /// first row.
+    /// Returns the Pfaffian of these rows and columns, by expansion along the first row.
     fn pfaffian_of(&self, n: usize, indices: &[usize], budget: &mut Budget) -> Option<Polynomial> {
         let Some((&first, others)) = indices.split_first() else { return Some(Polynomial::one()) };
         let mut sum = Polynomial::zero();
@@ -113,8 +111,7 @@ struct Candidate {
 
 enum Source {
     Known(PoissonTensor),
-    /// A sum of elements of a reduced basis: the degree of the entries, and the coefficients of
-    /// each element.
+    /// The degree of the entries, and the coefficients of basis elements whose sum is the tensor.
     Sum(u32, Vec<Vec<u64>>),
 }
 
@@ -134,10 +131,11 @@ impl Candidate {
 }
 
 /// Finds up to four brackets: independent brackets of the highest rank, and one bracket of each
-/// lower rank. Entries have degrees up to `highest`, at most 4. Brackets in `known` compete with
-/// those found. Known brackets that are not chosen follow, marked as implied. The search ends at
-/// the first degree with a bracket of full rank, at the deadline, or at 600 coefficients of all
-/// entries (1300 up to degree 2).
+/// lower rank. Entries have degrees up to `highest`, at most 4. The brackets in `known` compete
+/// with those found, and are marked as implied if they are not chosen.
+///
+/// The search ends at the first degree with a bracket of full rank, at the deadline, or at 600
+/// coefficients of all entries (1300 up to degree 2).
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
     known: Vec<PoissonTensor>,
@@ -179,8 +177,8 @@ pub(crate) fn polynomial_tensors(
         Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
     };
     found.extend(known.iter().filter_map(candidate));
-    // Prefer known tensors, which usually have shorter texts than basis elements. Sums of basis
-    // elements may be shorter still, since each element is divided by its common factors.
+    // Known tensors usually have shorter texts than basis elements. Sums may be shorter still,
+    // since each element is divided by its common factors.
     let symbols = searched.family().symbols();
     let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
     let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
@@ -194,7 +192,7 @@ pub(crate) fn polynomial_tensors(
         (Reverse(candidate.rank), class, terms)
     });
     let chosen = select_by_rank(map.modulus(), found);
-    // Reconstructed tensors by basis element, since several sums may contain one element.
+    // Several sums may contain one basis element, so reconstructed elements are stored.
     let mut known_parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
     let mut over_the_rationals = |Candidate { rank, source, .. }: Candidate| {
         let (degree, parts) = match source {
@@ -213,8 +211,7 @@ pub(crate) fn polynomial_tensors(
             entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
         }
         let mut tensor = PoissonTensor { rank, entries, structure: None, is_implied: false };
-        // Over ℚ each summand gets its own factor, so the sum may have another rank than modulo the
-        // prime.
+        // Over ℚ each summand gets its own factor, so the rank of the sum may change.
         let matrix = tensor.at(searched, &place, &points[0])?;
         tensor.rank = Echelon::of(map.modulus(), matrix, n).rank();
         Some(tensor)
@@ -226,8 +223,7 @@ pub(crate) fn polynomial_tensors(
     all
 }
 
-/// Chooses up to four brackets: independent brackets of the highest rank, then the first bracket of
-/// each lower rank.
+/// Chooses independent brackets of the highest rank, then the first bracket of each lower rank.
 fn select_by_rank(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     let highest = found.first().map_or(0, |candidate| candidate.rank);
     let mut last = None;
@@ -260,8 +256,7 @@ impl TensorMonomials {
         self.monomials.len() * self.pairs.len()
     }
 
-    /// Returns a basis of the invariant tensors whose coefficients outside of `support` are 0.
-    /// `None` if the map is undefined or the deadline passes.
+    /// Returns a basis of the invariant tensors with no coefficients outside of `support`.
     fn invariant(
         &self,
         map: &ModularMap,
@@ -295,8 +290,8 @@ impl TensorMonomials {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Returns brackets of a rank above `best`, by descending rank. Basis elements and their sums
-    /// are tried.
+    /// Returns brackets of a rank above `best` among basis elements and their sums, by descending
+    /// rank.
     fn higher(
         &self,
         map: &ModularMap,
@@ -346,8 +341,7 @@ impl TensorMonomials {
             let mut sums = first.tensors.clone();
             let mut rank = first.rank;
             found.push(candidate(rank, &chosen, &sums));
-            // Two brackets are compatible if their sum is a bracket. Linear combinations of
-            // pairwise compatible brackets are brackets.
+            // Linear combinations of brackets are brackets if all sums of two of them are brackets.
             for other in &elements[index + 1..] {
                 let next: [Tensor; POINTS] =
                     std::array::from_fn(|k| sums[k].plus(modulus, &other.tensors[k]));
@@ -387,8 +381,7 @@ impl TensorMonomials {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // The leading coefficients of other basis elements are outside this support. So the tensor
-        // is unique on the support.
+        // No other basis element lies on this support, so the tensor is unique there.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
@@ -411,9 +404,8 @@ impl TensorMonomials {
         Some((0..self.pairs.len()).map(entry).collect())
     }
 
-    /// Returns the weights of the coefficients on a support, relative to the first coefficient,
-    /// which is 1. Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ, up to a common
-    /// weight.
+    /// Returns the weights of the coefficients on a support, relative to the first coefficient.
+    /// Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ, up to a common weight.
     fn grading(&self, searched: &SearchField, support: &[usize]) -> Grading {
         let symbols = searched.family().symbols();
         let weights = searched.weights();
@@ -452,7 +444,7 @@ impl Place {
     }
 }
 
-/// A basis element that is a bracket, with the values of its tensor at the points of a search.
+/// A basis element that is a bracket, with the values of its tensor at some points.
 struct Element {
     rank: usize,
     terms: usize,
@@ -480,8 +472,8 @@ impl Tensor {
         Echelon::of(modulus, self.entries.clone(), self.entries.len()).rank()
     }
 
-    /// Returns whether the bracket satisfies Jacobi's identity at the point. The sum of Pᵢₗ ∂ₗPⱼₖ
-    /// over l and over cyclic permutations of (i, j, k) must be 0 for all i, j, k.
+    /// Returns whether Jacobi's identity holds at the point: the sum of Pᵢₗ ∂ₗPⱼₖ over l and over
+    /// cyclic permutations of (i, j, k) is 0 for all i, j, k.
     pub(super) fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
         let n = self.entries.len();
         let along = |i: usize, j: usize, k: usize| {

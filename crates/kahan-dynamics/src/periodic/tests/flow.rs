@@ -1,4 +1,4 @@
-//! Cycles of flows: periods and bifurcations against references computed without Kahan's method.
+//! Tests periods and bifurcations of flows against references computed without Kahan's method.
 
 use std::ops::ControlFlow;
 
@@ -21,7 +21,6 @@ kahan! {
     zdot = 1/5 + x*z - c*z;
 }
 
-/// Returns the cycles at N, 2N and 4N steps, and the extrapolated period.
 fn refined<M: Parametric>(map: impl Fn(f64) -> M, first: FlowCycle) -> ([FlowCycle; 3], Extrapolated) {
     let second = first.doubled(&map).expect("the cycle at 2N");
     let cycles = [first, second.clone(), second.doubled(&map).expect("the cycle at 4N")];
@@ -44,8 +43,7 @@ fn the_shortest_cycles_of_the_lorenz_system_are_found_from_close_returns() {
     const STEPS: usize = 200;
 
     // Periods are from Viswanath, "The fractal property of the Lorenz attractor", Physica D 190
-    // (2004). Periods and multipliers also come from shooting with SciPy's DOP853 at tolerance
-    // 1e-13.
+    // (2004). Multipliers come from shooting with SciPy's DOP853 at tolerance 1e-13.
     for (period, multiplier) in
         [(1.558652210716, 4.71294727), (2.305907263940, 9.16549182), (3.023583703434, 16.1136589)]
     {
@@ -111,8 +109,7 @@ fn the_first_doubling_of_the_roessler_system_is_known_to_six_digits() {
         assert_eq!((branch.turns.len(), branch.turns[0].change), (1, BranchChange::ThroughMinusOne));
         branch.turns[0].parameter
     });
-    // The reference comes from shooting with DOP853 at tolerance 1e-13, and from Brent's method for
-    // the multiplier.
+    // The reference comes from shooting with DOP853 and Brent's method.
     let (reference, found) = (2.832_445_027_862, Extrapolated::of(&turns, Extrapolated::EVEN));
     assert!((found.value - reference).abs() < 3e-8, "{found:?}");
     assert!((found.value - reference).abs() < found.error, "{found:?}");
@@ -158,7 +155,7 @@ fn folds_and_pairs_on_the_circle_are_where_formulas_say() {
     };
     let branch = flow_branch(map, &cycles[0], [0.25, -0.25], 20, |_| ControlFlow::Continue(()));
     assert_eq!((branch.turns.len(), branch.turns[0].change), (1, BranchChange::Fold), "{:?}", branch.turns);
-    // The map has the same steady states as the field.
+    // The map has the steady states of the field.
     assert!(branch.turns[0].parameter.abs() < 1e-7, "{:?}", branch.turns);
     let last = branch.points.last().expect("points");
     assert!(last.parameter > 0.0 && last.cycle.points[0][3] < 0.0 && !branch.is_cut, "{last:?}");

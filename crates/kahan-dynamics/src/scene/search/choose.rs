@@ -1,6 +1,6 @@
 //! The order in which [`Scene::choose`](crate::Scene::choose) tries settings.
 //!
-//! For each order it tries larger and larger numbers of steps in plain `f64`
+//! For each order, larger and larger numbers of steps are tried in plain `f64`
 //! ([`refine_steps`](Search::refine_steps)). An independent orbit in `Dd` then checks the flow
 //! ([`confirm`](super::confirm)), and [`Search::refine`] minimises the cost.
 
@@ -14,28 +14,26 @@ pub(super) const COUNTED: SearchParameters = SearchParameters {
     surplus: 1.0,
     leaps: true,
     surely: 1.5,
-    // Part of the time is reserved for the trial that checks the flow.
+    // The trial that checks the flow needs some of the time.
     share: 0.45,
 };
-/// An orbit in `Dd` confirms that the flow is accurate if their distance is below the tolerance
-/// divided by this factor.
+/// The distance of an orbit in `Dd` from an accurate flow is below the tolerance divided by this
+/// factor.
 pub(in crate::scene) const VOUCHING: f64 = 10.0;
-/// The largest number of trials of another scheme, which begin where plain `f64` met rounding
-/// errors.
+/// The most trials of another scheme, from where plain `f64` met rounding errors.
 const MORE_RUNGS: usize = 5;
 
 pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);
-/// The scheme in `Dd` without compensation; its rounding errors are negligible.
+/// The scheme in `Dd`, where rounding errors are negligible.
 pub(in crate::scene) const WIDE: Scheme = Scheme::of(Precision::DoubleDouble);
-/// The alternatives to plain `f64` for a single orbit. `f32` is left out, because its steps take as
-/// long as those of `f64`.
+/// The alternatives to plain `f64` for a single orbit. Steps in `f32` would take as long as in
+/// `f64`.
 pub(in crate::scene) const OTHERS: [Scheme; 2] = [WIDE, PLAIN.compensated()];
 pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) enum Verdict {
-    /// The cheapest accepted setting. The error of the setting includes the uncertainty of the
-    /// flow.
+    /// The cheapest accepted setting, whose error includes the uncertainty of the flow.
     Choice(Setting),
     /// No setting meets the tolerance, or no trial confirms that the flow is accurate.
     None {
@@ -50,11 +48,10 @@ impl<L: Trials> Search<L> {
         Self::new(trials, tolerance, COUNTED)
     }
 
-    /// Tries settings until the answer is clear. `coarsest` is the smallest number of steps over
-    /// the whole time, and `others` are the alternatives to plain `f64`.
+    /// Tries settings until one is chosen or all fail. `coarsest` is the smallest number of steps
+    /// over the whole time, and `others` are the alternatives to plain `f64`.
     pub(in crate::scene) fn run(&mut self, coarsest: u64, others: &[Scheme]) -> Verdict {
-        // High orders come first, because an accepted setting ends the trials of other orders
-        // early.
+        // High orders come first, because an accepted setting shortens the trials of other orders.
         for composition in Composition::BEST.into_iter().rev() {
             self.refine_order(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
@@ -84,9 +81,9 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Tries larger and larger numbers of steps at one order, in plain `f64`; if rounding errors
-    /// matter, also in the other schemes. If a setting meets the tolerance, an independent orbit in
-    /// `Dd` checks the flow.
+    /// Tries larger and larger numbers of steps at one order in plain `f64`, and in other schemes
+    /// if rounding errors matter. An independent orbit in `Dd` checks the flow for an accepted
+    /// setting.
     fn refine_order(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
         let climb = self.refine_steps(PLAIN.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {

@@ -1,8 +1,8 @@
 //! Checks the flow by an independent orbit.
 //!
-//! In: the trials so far. Out: an orbit in `Dd` whose distance from the flow is well below the
-//! tolerance; or the finding that the flow has large rounding errors. The order of the orbit is the
-//! one that needs the fewest stages.
+//! The distance of an orbit in `Dd` from the flow must be well below the tolerance. Otherwise the
+//! flow may have large rounding errors. The order of the orbit is the one that needs the fewest
+//! stages.
 
 use std::cmp::Reverse;
 
@@ -14,12 +14,10 @@ use super::{SMALL, STALL, Search, Trials, VOUCHING, WIDE};
 const VOUCHERS: usize = 16;
 
 impl<L: Trials> Search<L> {
-    /// Searches for an orbit in `Dd` that agrees with the flow; the agreement shows that both are
-    /// accurate.
+    /// Searches for an orbit in `Dd` that agrees with the flow. Both are then accurate.
     pub(super) fn confirm(&mut self) {
         let wanted = self.tolerance / VOUCHING;
         for _ in 0..VOUCHERS {
-            // Each trial takes the order with the smallest predicted number of stages.
             let next = Composition::BEST
                 .into_iter()
                 .rev()
@@ -36,9 +34,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Predicts the number of steps for an error by the law error ∝ ε^order, from the finest trial
-    /// in `Dd`, or from the best trial in `f64`. Returns `None` if finer trials in `Dd` do not
-    /// agree better.
+    /// Predicts the number of steps for an error by the law error ∝ ε^order, from earlier trials.
+    /// Returns `None` if finer trials in `Dd` do not agree better.
     fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
         let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
         let by_law = |trial: &Setting| Self::by_law(trial, 0.7 * wanted);
@@ -57,8 +54,7 @@ impl<L: Trials> Search<L> {
             return None;
         }
         let steps = finest.steps as f64;
-        // The law error ∝ ε^order gives a lower bound. Where it does not hold yet, more steps are
-        // needed.
+        // The law error ∝ ε^order gives a lower bound for larger errors.
         let next =
             if finest.error < SMALL { by_law(finest).clamp(1.3 * steps, 4.0 * steps) } else { 2.0 * steps };
         Some(next.ceil() as u64)

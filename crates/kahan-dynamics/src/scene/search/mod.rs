@@ -1,12 +1,12 @@
 //! A search for the cheapest setting in few trials.
 //!
-//! In: [`Trials`], which return the error of a setting and the price of a step: counted operations
-//! ([`Scene::choose`](crate::Scene::choose)) or measured nanoseconds (`kahan trade`). Out: the
-//! cheapest setting whose measured error meets the tolerance.
+//! The input is [`Trials`], which return the error of a setting and the price of a step: counted
+//! operations ([`Scene::choose`](crate::Scene::choose)) or measured nanoseconds (`kahan trade`).
+//! The output is the cheapest setting whose measured error meets the tolerance.
 //!
 //! # Method
 //!
-//! [`refine_steps`](Search::refine_steps) tries larger and larger numbers of steps of one scheme;
+//! [`refine_steps`](Search::refine_steps) tries larger and larger numbers of steps of one scheme.
 //! [`refine`](Search::refine) searches between the last failure and the first success. The law
 //! error ∝ ε^order only proposes trials.
 
@@ -22,8 +22,7 @@ pub use refinement::RefinementResult;
 
 pub(super) use choose::{OF_DOUBLE, OTHERS, PLAIN, VOUCHING, Verdict, WIDE};
 
-/// The error above which the orbit has lost the phase of the trajectory, so that its error is
-/// meaningless.
+/// The error above which the orbit has lost the phase of the trajectory.
 const SMALL: f64 = 0.1;
 /// The ratio of two errors above which they count as equal.
 const STALL: f64 = 0.7;
@@ -37,8 +36,8 @@ pub trait Trials {
     /// Returns the setting of a scheme with about this number of steps.
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting;
 
-    /// Returns the error of a setting; infinite if the setting is useless. Returns `None` if the
-    /// trial would take more than `share` of the remaining time.
+    /// Returns the error of a setting, which is infinite if the setting is useless. Returns `None`
+    /// if the trial would take more than `share` of the remaining time.
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64>;
 
     /// Returns the price of one step.
@@ -49,9 +48,8 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to stop the trials of a scheme before the one with `next` steps. The reason
-    /// is that the last trial, of about `end` steps, would take more than `share` of the remaining
-    /// time.
+    /// Returns whether to stop the trials of a scheme before the trial with `next` steps. The last
+    /// trial with about `end` steps would take more than `share` of the remaining time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
@@ -64,14 +62,13 @@ pub struct SearchParameters {
     pub enough: f64,
     /// The fraction of the largest accepted error that [`Search::refine`] tries to reach.
     pub aim: f64,
-    /// The factor by which the number of steps exceeds the number that the law error ∝ ε^order
-    /// predicts.
+    /// The factor on the number of steps that the law error ∝ ε^order predicts.
     pub surplus: f64,
-    /// Whether numbers of steps are skipped once errors follow the law error ∝ ε^order; not for
-    /// callers that plot all trials.
+    /// Whether numbers of steps are skipped once errors follow the law error ∝ ε^order. Plots of
+    /// all trials need `false`.
     pub leaps: bool,
-    /// The predicted cost of the last trial of a scheme, relative to the smallest known cost, above
-    /// which the trials of the scheme stop.
+    /// The predicted cost, relative to the smallest known cost, above which the trials of a scheme
+    /// stop.
     pub surely: f64,
     /// The fraction of the remaining time that one trial may take.
     pub share: f64,
@@ -84,7 +81,6 @@ pub struct Search<L> {
     tolerance: f64,
     rules: SearchParameters,
     tried: Vec<Setting>,
-    /// Whether a series of trials, or the flow, met rounding errors.
     is_rough: bool,
 }
 
@@ -124,7 +120,8 @@ impl<L: Trials> Search<L> {
         self.tried.iter().any(|trial| trial.scheme == scheme)
     }
 
-    /// Returns the cheapest accepted setting; among settings of equal cost, the most accurate one.
+    /// Returns the cheapest accepted setting, and the most accurate one among settings of equal
+    /// cost.
     #[must_use]
     pub fn best(&self) -> Option<Setting> {
         let serve = self.tried.iter().filter(|trial| trial.error <= self.enough());
@@ -163,8 +160,7 @@ impl<L: Trials> Search<L> {
     }
 
     /// Returns whether finer steps in `f64` had larger errors that also exceed `roundings`. In
-    /// stiff motions, steps of some sizes meet poles, so that the accepted sizes form several
-    /// intervals.
+    /// stiff motions, steps of some sizes meet poles.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN.composed(trial.scheme.composition);
@@ -208,7 +204,7 @@ impl<L: Trials> Search<L> {
             if dearest / low < CLOSE || guess >= CLOSE * dearest {
                 return;
             }
-            // If there are few steps, the next integer may be the solution.
+            // With few steps, the next integer may be the solution.
             let steps = (guess.clamp(1.02 * low, 0.98 * dearest).round() as u64).max(last.steps + 1);
             if steps as f64 >= dearest || self.trial(scheme, steps, self.rules.share).is_none() {
                 return;

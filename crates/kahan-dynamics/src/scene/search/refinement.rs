@@ -1,28 +1,24 @@
 //! Trials of a scheme with larger and larger numbers of steps.
 //!
-//! In: a scheme and its first number of steps. Out: trials, and whether rounding errors matter. The
-//! trials stop if one meets the tolerance or costs more than a known setting, or if the law error ∝
-//! ε^order predicts this. The trials also stop if two successive trials gain nothing.
+//! The trials stop if one meets the tolerance or costs more than a known setting, or if the law
+//! error ∝ ε^order predicts such costs. The trials also stop if two successive trials gain nothing.
 
 use kahan_core::Composition;
 
 use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
 
-/// The accepted relative deviation of a gain's logarithm from the prediction of the law error ∝
-/// ε^order.
+/// The accepted relative deviation of a gain's logarithm from the law error ∝ ε^order.
 const LAWFUL: f64 = 0.3;
 /// The error below which the law error ∝ ε^order is trusted.
 const USEFUL: f64 = 0.01;
-/// The number of successive trials without gain after which the search checks for rounding errors.
+/// The number of successive trials without gain after which rounding errors are checked.
 const STALLS: u32 = 2;
-/// Once errors have followed the law error ∝ ε^order, a trial counts as without gain if the
-/// logarithm of its gain is less than this fraction of the predicted one.
+/// A trial counts as without gain if its logarithmic gain is below this fraction of the prediction.
 const LITTLE: f64 = 0.3;
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
 const NEAR: f64 = 30.0;
-/// The largest factor between successive numbers of steps, once errors follow the law error ∝
-/// ε^order.
+/// The largest factor between successive numbers of steps under the law error ∝ ε^order.
 const LEAP: u64 = 1 << 12;
 
 #[derive(Clone, Copy, Debug)]
@@ -35,8 +31,7 @@ struct ErrorReduction {
 }
 
 impl ErrorReduction {
-    /// Returns whether the gain follows the law error ∝ ε^order, at an error small enough to trust
-    /// it.
+    /// Returns whether the gain follows the law error ∝ ε^order, at a sufficiently small error.
     fn is_lawful(&self) -> bool {
         (self.part - 1.0).abs() < LAWFUL && self.before < self.factor * USEFUL
     }
@@ -61,8 +56,8 @@ pub struct RefinementResult {
 }
 
 impl RefinementResult {
-    /// Returns whether errors fell less than the order predicts. The reason may be rounding errors,
-    /// which compensation reduces.
+    /// Returns whether errors fell less than the order predicts, perhaps because of rounding
+    /// errors.
     #[must_use]
     pub const fn has_felt_roundings(&self) -> bool {
         self.gained_little
@@ -74,7 +69,7 @@ impl RefinementResult {
         self.has_stalled
     }
 
-    /// Records a trial. Returns its gain over the previous trial, if that trial had a finite error.
+    /// Records a trial. Returns the gain over a previous trial with a finite error.
     fn add(&mut self, trial: Setting) -> Option<ErrorReduction> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = ErrorReduction::of(&before, &trial);
@@ -88,8 +83,8 @@ impl RefinementResult {
 }
 
 impl<L: Trials> Search<L> {
-    /// Tries larger and larger numbers of steps of a scheme, beginning with `coarsest`. Stops if a
-    /// trial meets the tolerance, or if no further trial can be the cheapest.
+    /// Tries larger and larger numbers of steps of a scheme, from `coarsest` on. Stops if a trial
+    /// meets the tolerance, or if no further trial can be the cheapest.
     pub fn refine_steps(&mut self, scheme: Scheme, coarsest: u64) -> RefinementResult {
         self.refine_at_most(scheme, coarsest, RUNGS)
     }
@@ -101,7 +96,7 @@ impl<L: Trials> Search<L> {
             if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
-            // If a large increase takes too long, twice the steps may still be affordable.
+            // If a large increase takes too long, twice the steps may be affordable.
             let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
             let mut rungs = [steps, next].into_iter();
             let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
@@ -120,7 +115,7 @@ impl<L: Trials> Search<L> {
                 // In a stiff motion, coarse steps may meet poles of the map that finer steps avoid.
                 climb.stalls = 0;
             }
-            // If ε is rounded to fewer bits, the number of steps changes.
+            // The number of steps changes if ε is rounded to fewer bits.
             steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
             if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);
@@ -128,7 +123,7 @@ impl<L: Trials> Search<L> {
                 if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
                     break;
                 }
-                // If errors follow the law error ∝ ε^order, trials in between are unnecessary.
+                // Under the law error ∝ ε^order, trials in between are unnecessary.
                 if self.rules.leaps && gain.is_lawful() {
                     steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
                 }
@@ -137,7 +132,7 @@ impl<L: Trials> Search<L> {
         climb
     }
 
-    /// Returns whether rounding dominates the error of a trial; this is so if the error in `Dd` is
+    /// Returns whether rounding dominates the error of a trial, because the error in `Dd` is
     /// smaller.
     pub(super) fn has_roundings(&mut self, trial: &Setting) -> bool {
         let wide = WIDE.composed(trial.scheme.composition);
@@ -145,8 +140,7 @@ impl<L: Trials> Search<L> {
         other.is_none_or(|other| other.error < STALL * trial.error)
     }
 
-    /// Returns the largest number of steps up to which errors of plain `f64` fell by the law error
-    /// ∝ ε^order.
+    /// Returns the most steps up to which errors of plain `f64` fell by the law error ∝ ε^order.
     pub(super) fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
         let scheme = PLAIN.composed(composition);
         let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();

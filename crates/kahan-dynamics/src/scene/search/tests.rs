@@ -1,4 +1,4 @@
-//! Searches, with counted and with measured prices, for settings whose errors follow a known law.
+//! Tests searches for settings whose errors follow a known law.
 
 use kahan_core::Composition;
 
@@ -6,8 +6,7 @@ use super::choose::COUNTED;
 use super::*;
 use crate::{Need, Scene};
 
-/// Errors that follow the law error ∝ ε^order, plus rounding errors that grow with the number of
-/// steps.
+/// Errors that follow the law error ∝ ε^order, plus rounding errors.
 #[derive(Clone, Copy, Debug)]
 struct Law {
     price_of_order: fn(u32) -> f64,
@@ -40,7 +39,7 @@ impl Trials for Law {
     }
 }
 
-/// Two price functions: the number of stages, and prices that favour order 4 more often.
+/// The number of stages, and prices that favour order 4 more often.
 const PRICES: [fn(u32) -> f64; 2] = [
     |order| Composition::of_order(order).expect("an order").stages() as f64,
     |order| 0.7 + f64::from(order).powi(2),

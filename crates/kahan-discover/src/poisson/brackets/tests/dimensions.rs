@@ -25,7 +25,7 @@ fn brackets_in_dimensions_4_and_5_are_proved() {
         let tensor = bracket(&system, &stated(&system, density), &chosen).expect("independent integrals");
         assert!(is_proved(&system, &tensor), "{field} {integrals:?}");
         for casimir in &chosen {
-            // Compute Σ over k of {xⱼ, xₖ} ∂I/∂xₖ, which vanishes for a Casimir function I.
+            // A Casimir function I satisfies Σ {xⱼ, xₖ} ∂I/∂xₖ = 0, summed over k.
             let n = symbols.dimension();
             for j in 0..n {
                 let terms = (0..n).map(|k| &entry(n, &tensor, j, k) * &casimir.derivative(symbols.state(k)));
@@ -51,14 +51,13 @@ fn jacobi_fails_where_it_should() {
     };
     assert!(!poisson("{x,y} = z; {y,z} = x; {z,x} = x*y;"));
     assert!(poisson("{x,y} = z; {y,z} = x; {z,x} = y;"));
-    // Each of the four is Poisson. {x,y} = 1 is compatible with {y,z} = x, but not with {y,z} = y.
+    // The bracket {x,y} = 1 is compatible with {y,z} = x, but not with {y,z} = y.
     for entries in ["{x,y} = 1;", "{y,z} = x;", "{y,z} = y;", "{x,y} = 1; {y,z} = x;"] {
         assert!(poisson(entries), "{entries}");
     }
     assert!(!poisson("{x,y} = 1; {y,z} = y;"));
 }
 
-/// Returns the bracket {xⱼ, xₖ} from the entries of a tensor above the diagonal.
 fn entry(n: usize, tensor: &[RationalFunction], j: usize, k: usize) -> RationalFunction {
     match j.cmp(&k) {
         std::cmp::Ordering::Less => tensor[upper_index(n, j, k)].clone(),
@@ -121,6 +120,6 @@ fn coordinates_as_integrals_leave_one_entry_in_any_dimension() {
     let constructed = bracket(&large, &RationalFunction::one(), &integrals).expect("a bracket");
     let nonzero: Vec<usize> = (0..constructed.len()).filter(|&e| !constructed[e].is_zero()).collect();
     assert_eq!(nonzero, [upper_index(40, 3, 17)]);
-    // In the sign, x3 passes 3 variables, and x17 passes the remaining 16 variables before it.
+    // The sign counts the 3 variables before x3 and the 16 other variables before x17.
     assert_eq!(entry(40, &constructed, 3, 17), RationalFunction::constant(Rational::from(-1)));
 }

@@ -1,4 +1,4 @@
-//! Tests how brackets are constructed and proved in any dimension, and that budgets end the work.
+//! Tests of constructed and proved brackets in any dimension.
 
 mod dimensions;
 mod limits;
@@ -37,7 +37,7 @@ fn bracket(
     invariant_tensor(&system.field.symbols, density, integrals, &mut budget)
 }
 
-/// Returns whether the prover accepts a tensor as Poisson and invariant under the map of a system.
+/// Returns whether a tensor is proved to be Poisson and invariant under the map of a system.
 fn is_proved_at(system: &System, values: &[(String, Rational)], tensor: &[RationalFunction]) -> bool {
     let claims = Claims::new(system, values, None);
     claims.bracket(1, 2, &claims.bracket_entries(&system.field.symbols, tensor)).is_some()
