@@ -70,6 +70,9 @@ impl<'a> ExpectedColumns<'a> {
     }
 
     /// Finds the columns of a table with these names.
+    ///
+    /// # Errors
+    /// A state without a column, two columns of one name, or a column that cannot be used.
     pub fn places(&self, names: &[String]) -> Result<ColumnIndices, ColumnError> {
         let (first, new) = self.states.split_at(self.least);
         let states = if new.iter().any(|state| names.contains(state)) { self.states } else { first };

@@ -260,6 +260,9 @@ pub fn formula_of(variables: &[&str], text: &str, known: &NamedConstants) -> Res
 }
 
 /// Reads named formulas of the index of a site, such as `a = 1; b = i/n`.
+///
+/// # Errors
+/// The first mistake.
 pub fn formulas(text: &str, known: &NamedConstants) -> Result<Vec<(String, Formula)>, NoFormula> {
     read(text, |tokens| {
         let names = Names { variables: &OF_SITES, known, defined: &[] };

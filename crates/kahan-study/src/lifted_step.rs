@@ -66,6 +66,9 @@ impl Study {
     }
 
     /// Checks that the field has relations onto which steps can be projected, if requested.
+    ///
+    /// # Errors
+    /// [`NoOrbit::Reembed`] if the field was not lifted.
     pub fn can_reembed(&self, reembed: bool) -> Result<(), StudyError> {
         let has_relations = self.lift().is_some() || !reembed;
         if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }

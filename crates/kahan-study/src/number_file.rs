@@ -53,6 +53,9 @@ pub struct Numbers<V = f64> {
 impl<V: FileNumber> Numbers<V> {
     /// Reads a NumPy array if `name` ends in `.npy`, otherwise CSV with or without a header. A
     /// column named `ended` holds words and gives no numbers.
+    ///
+    /// # Errors
+    /// A sentence that describes the mistake.
     pub fn of(name: &str, bytes: &[u8]) -> Result<Self, String> {
         if name.ends_with(".npy") { array(bytes) } else { table(bytes) }
     }

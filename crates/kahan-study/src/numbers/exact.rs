@@ -51,11 +51,17 @@ impl<T: ExactJson> ExactJson for Vec<T> {
 }
 
 /// Writes exact numbers.
+///
+/// # Errors
+/// Errors of the serializer.
 pub fn serialize<T: ExactJson, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
     value.to_json().serialize(serializer)
 }
 
 /// Reads exact numbers.
+///
+/// # Errors
+/// A value that is not an exact number.
 pub fn deserialize<'de, T: ExactJson, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     T::of_json(&Value::deserialize(deserializer)?).map_err(D::Error::custom)
 }

@@ -55,6 +55,9 @@ impl Reference {
     ///
     /// Costs about 250 evaluations of the bilinear form for each step of the series, and the steps
     /// of the composition.
+    ///
+    /// # Errors
+    /// [`NoReference`].
     pub fn of<M, const N: usize>(
         map: &M,
         asked: &Trajectory<'_>,
