@@ -1,6 +1,6 @@
 //! Emits accessors of claims: `integrals`, one method for each integral, `density`, `bracket_NAME`
-//! and `drift_NAME`. A claim with `when` has an accessor of its own, which for a density is
-//! `density_NAME`. The solved conditions are substituted into its formula.
+//! and `drift_NAME`. A claim with `when` has an accessor of its own, for example `density_NAME`.
+//! Its formula contains the solved conditions.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
@@ -18,8 +18,8 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims. If a kind of claim is missing, a marker trait is emitted, so
-/// that rustc can report this.
+/// Emits the accessors of all claims. If a kind of claim is missing, a marker trait makes rustc
+/// report this.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);
@@ -46,8 +46,8 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     emitted
 }
 
-/// Expands to `pub fn NAME(&self, x, eps) -> …`. If the type has no parameters, the method itself
-/// is generic.
+/// Expands to `pub fn NAME(&self, x, eps) -> …`. If the type has no parameters, the method is
+/// generic.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,
@@ -101,8 +101,7 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
     }
 }
 
-/// Returns the name of an integral's method. It is the integral's own name, or `integral_NAME` if
-/// that is taken.
+/// Returns the integral's own name, or `integral_NAME` if that name is taken.
 fn name_of_integral(name: &str, integrals: &[String]) -> String {
     /// Names of methods that the type or its traits already have.
     const TAKEN: &str = "embed project field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \

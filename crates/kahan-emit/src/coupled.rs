@@ -8,8 +8,7 @@
 //! }
 //! ```
 //!
-//! The size of the code is proportional to the number of couplings, because no function holds a
-//! whole matrix.
+//! The size of the code is proportional to the number of couplings.
 
 use kahan_algebra::elimination::{Couplings, Row};
 use kahan_algebra::plan::{Plan, variables};
@@ -24,8 +23,8 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
 use super::step::emit_cost;
 
-/// Emits the type `__Coupled`. The code of [`emit_map`](super::map::emit_map) and
-/// [`emit_field`](super::field::emit_field) uses it.
+/// Emits the type `__Coupled`, used by the code of [`emit_map`](super::map::emit_map) and
+/// [`emit_field`](super::field::emit_field).
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, places] = sizes(context, couplings);
@@ -66,7 +65,7 @@ pub(super) fn sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3
     sizes.map(Literal::usize_unsuffixed)
 }
 
-/// Returns the number of parameters. ε counts as one if coefficients depend on it.
+/// Returns the number of parameters, including ε if coefficients depend on ε.
 fn parameters(context: &Context<'_>) -> usize {
     let field = &context.system.field;
     field.symbols.parameters.len() + usize::from(field.depends_on_eps())
@@ -83,8 +82,7 @@ pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> Token
     quote!([#(#parameters),*])
 }
 
-/// The most operations in one function. Compile time grows faster than the size of a function,
-/// above all for scalars with error bounds.
+/// The most operations in one function. Compile time grows faster than the size of a function.
 const MOST_OPERATIONS: usize = 160;
 
 /// Emits the body of a function that returns the results of a plan as an array. A long body is
@@ -163,8 +161,7 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
     }
 }
 
-/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`. The elimination is unrolled in the order
-/// of its loop.
+/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`, the unrolled elimination.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, _] = sizes(context, couplings);
@@ -200,7 +197,7 @@ fn entry(place: usize) -> Ident {
     format_ident!("__a{place}")
 }
 
-/// Emits the entries of A = I − εf′. Also returns for each stored entry whether it is nonzero.
+/// Emits the entries of A = I − εf′, and returns for each stored entry whether it is nonzero.
 fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     let mut is_there = vec![false; couplings.columns.len()];
     let mut lines = TokenStream::new();

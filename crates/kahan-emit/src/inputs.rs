@@ -56,7 +56,7 @@ pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
 }
 
 /// Returns a pattern for the components of a point that are among `inputs`, with `_` for other
-/// components. The inputs must be sorted. Returns `None` if the pattern binds nothing.
+/// components, or `None` if it binds nothing. The inputs must be sorted.
 pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,

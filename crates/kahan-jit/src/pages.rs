@@ -1,8 +1,7 @@
 //! Executable memory.
 //!
-//! In: code and its constants as bytes. Out: pages that can be read and executed, or the system's
-//! error. Pages are never writable and executable at once, and are unmapped when dropped. On 64-bit
-//! Arm this module also synchronises the separate instruction cache.
+//! Pages are never writable and executable at once, and are unmapped when dropped. On 64-bit Arm
+//! this module also synchronises the separate instruction cache.
 
 #[cfg(all(target_arch = "aarch64", feature = "pages"))]
 mod cache;
@@ -22,7 +21,7 @@ impl Pages {
     /// Copies code into newly allocated pages.
     ///
     /// # Errors
-    /// Returns the system's error, if memory is exhausted or run-time code is forbidden.
+    /// If memory is exhausted or run-time code is forbidden.
     #[cfg(feature = "pages")]
     pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
         let mut pages = memmap2::MmapMut::map_anon(bytes.len())?;

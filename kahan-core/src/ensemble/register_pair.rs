@@ -16,7 +16,7 @@ pub struct RegisterPair<L>(L, L);
 
 operators!([L: Scalar + Copy] RegisterPair<L>: Self::sum, Self::difference, Self::product, Self::ratio);
 
-/// Closures are not inlined into functions with target features; therefore all functions have names.
+/// Functions have names, because closures are not inlined into functions with target features.
 impl<L: Scalar + Copy> RegisterPair<L> {
     #[inline(always)]
     fn sum(self, other: Self) -> Self {

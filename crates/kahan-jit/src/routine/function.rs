@@ -32,8 +32,8 @@ impl<T: Float> Function<T> {
             ValueLocation::Literal(_) | ValueLocation::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
-        // SAFETY: for each state and each constant of the program, the code reads one register. For
-        // each result, the code writes one register. Only `Code::function` enters the code.
+        // SAFETY: the code reads one register for each state and each constant of the program, and
+        // writes one register for each result. Only `Code::function` enters the code.
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 

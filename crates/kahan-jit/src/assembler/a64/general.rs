@@ -2,7 +2,7 @@
 
 use super::Assembler;
 
-/// A general-purpose register, by number. Number 31 is the stack pointer in addresses, otherwise
+/// A general-purpose register, by number. In addresses, number 31 is the stack pointer, otherwise
 /// zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct GeneralRegister(u8);
@@ -28,8 +28,7 @@ impl GeneralRegister {
         Self(23),
         Self(24),
     ];
-    /// The registers among [`POINTERS`](Self::POINTERS) that must be saved for the caller, in
-    /// adjacent pairs.
+    /// The callee-saved registers among [`POINTERS`](Self::POINTERS), in adjacent pairs.
     pub(super) const SAVED: [Self; 6] = [Self(19), Self(20), Self(21), Self(22), Self(23), Self(24)];
     pub(crate) const STACK: Self = Self(31);
     /// Scratch register for offsets and addresses that do not fit into an instruction.
@@ -52,7 +51,6 @@ pub(super) enum Pair {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Label(usize);
 
-/// A forward jump whose target is not known yet.
 #[derive(Debug)]
 #[must_use]
 pub(crate) struct ForwardJump(usize);
@@ -62,7 +60,6 @@ const IF_ZERO: u32 = 0xb400_0000;
 const IF_NOT_ZERO: u32 = 0xb500_0000;
 const IF_BELOW: u32 = 0x5400_0003;
 const UNLESS_BELOW: u32 = 0x5400_0002;
-/// The opcode of b, an unconditional branch.
 const ALWAYS: u32 = 0x1400_0000;
 
 impl Assembler {
@@ -78,7 +75,7 @@ impl Assembler {
         self.word(0x8b00_0000 | from.number() << 16 | to.number() << 5 | to.number());
     }
 
-    /// Adds a 12-bit number without sign, which the instruction contains.
+    /// Adds an unsigned 12-bit number, which the instruction contains.
     pub(crate) fn add_immediate(&mut self, to: GeneralRegister, number: i32) {
         let number = u32::try_from(number).ok().filter(|number| *number < 1 << 12);
         let number = number.expect("the bytes of a register") << 10;
@@ -105,7 +102,7 @@ impl Assembler {
         if offset.is_multiple_of(size) && offset / size < 1 << 12 {
             return self.word(near | (offset / size) << 10 | base.number() << 5 | register);
         }
-        // Writes movz and movk, which load the offset into a register.
+        // movz and movk load the offset into a register.
         self.word(0xd280_0000 | (offset & 0xffff) << 5 | GeneralRegister::BEYOND.number());
         if offset >> 16 != 0 {
             self.word(0xf2a0_0000 | (offset >> 16) << 5 | GeneralRegister::BEYOND.number());
@@ -187,7 +184,7 @@ impl Assembler {
         ForwardJump(self.jump(IF_ZERO | count.number(), IF_NOT_ZERO | count.number()))
     }
 
-    /// Decrements `count`, and jumps to the label if the decremented count is not zero.
+    /// Decrements `count`, and jumps to the label unless the result is zero.
     pub(crate) fn count_down(&mut self, count: GeneralRegister, Label(to): Label) {
         self.word(0xd100_0400 | count.number() << 5 | count.number());
         let place = self.jump(IF_NOT_ZERO | count.number(), IF_ZERO | count.number());

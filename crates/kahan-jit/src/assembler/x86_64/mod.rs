@@ -76,8 +76,8 @@ impl Assembler {
         self.ret();
     }
 
-    /// Computes to = a ∘ b. A scalar sign flip changes other bits too, because xor reads 16 bytes
-    /// or more.
+    /// Computes to = a ∘ b. A scalar sign flip changes other bits too, because xor reads at least
+    /// 16 bytes.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,
@@ -123,8 +123,7 @@ impl Assembler {
         if self.form.element == Element::Single {
             return self.copy(to, from);
         }
-        // A scalar conversion copies the upper bits from an extra operand, which a vector
-        // conversion lacks.
+        // A scalar conversion has an extra operand, from which it copies the upper bits.
         let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
         let (rest, rest_of_single) = (rest(from), rest(to));
         let single = OperandForm { element: Element::Single, ..self.form };
@@ -137,13 +136,11 @@ impl Assembler {
         self.bytes.extend([0xc5, 0xf8, 0x77]);
     }
 
-    /// Returns the pool entry that holds a number in every lane. `bits` encodes the number in one
-    /// lane.
+    /// Returns the pool entry that holds a number in every lane. `bits` encodes the number.
     pub(crate) fn constant(&mut self, bits: u64) -> Entry {
         self.pool.entry(bits)
     }
 
-    /// Returns the code, followed by its constant pool.
     pub(crate) fn finish(self) -> Vec<u8> {
         const BREAKPOINT: u8 = 0xcc;
 

@@ -1,5 +1,5 @@
 //! Hostile programs on slices between inaccessible pages. Every program that safe code can build is
-//! refused, or computes its results without an access to other memory.
+//! refused, or accesses no other memory.
 //!
 //! The fuzz target `program` compiles these files, too; therefore they use only public items.
 
@@ -50,7 +50,7 @@ pub(crate) struct Case {
     is_ordinary: bool,
 }
 
-/// Random bytes, from which choices are drawn. After the last byte follow zeros.
+/// Random bytes, from which choices are drawn, followed by zeros.
 #[derive(Clone, Copy)]
 struct Source<'a>(&'a [u8]);
 
@@ -119,13 +119,11 @@ impl Source<'_> {
             255 => MANY,
             results => results % 40,
         };
-        // Sometimes the bytes are repeated for a long program.
         let instructions = match self.byte() {
             255 => MANY,
             254 => 3000,
             _ => 0,
         };
-        // Sometimes an operation reads a later or missing operation.
         let is_broken = self.byte() > 248;
         let (beginning, mut known) = (*self, 0);
         let mut is_ordinary = results < MANY && instructions < MANY && !is_broken;
