@@ -306,12 +306,13 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`: the maximum
-    /// of
+    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`. With b =
+    /// x + εBx + 2εc, the result is the maximum of
     ///
-    ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|), where b = x + εBx + 2εc.
+    ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|).
     ///
-    /// The numerator is |A x̃ − b|. Over an exact scalar the result is 0 only for the exact step. If
+    /// The numerator is |A x̃ − b|. Over an exact scalar the result is 0 only for the exact step.
+    /// If a component is NaN, the result is NaN.
     /// a component is NaN, the result is NaN.
     ///
     /// # Panics

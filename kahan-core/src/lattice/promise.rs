@@ -1,7 +1,7 @@
 //! The step of a chain with a small backward error.
 //!
-//! A step succeeds if |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i. Row i of A has k
-//! entries, and u is the rounding unit. At most two steps of iterative refinement compute the
+//! A step succeeds if |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i. Row i of A has
+//! k entries, and u is the rounding unit. At most two steps of iterative refinement compute the
 //! residual b − A·x̃ = 2εf − A·(x̃ − x) in wider numbers with error bounds.
 
 use core::cell::Cell;

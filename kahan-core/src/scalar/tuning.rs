@@ -81,8 +81,8 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// Returns a component of x̃. In `f32`, and after `several` successive reciprocals, the component is
-/// [`fenced`], because packing would slow an orbit down.
+/// Returns a component of x̃. In `f32`, and after `several` successive reciprocals, the component
+/// is [`fenced`], because packing would slow an orbit down.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }

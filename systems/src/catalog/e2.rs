@@ -2,8 +2,7 @@
 //! sl(2,R). At eps = 0, `H = x y`, `K = x z + y^2` and `c = 1`, and the flow is
 //! `-P dK = -(1/c) Q dH`. The block claims H and K of Table 2, the density c/(H K) of Theorem 1
 //! (with c, H, K at eps = 0), and two compatible brackets of Theorem 2: `P` of Table 3, and `Q` of
-//! Table 4 divided by c. Solutions (Table 5, Theorem 3) depend on time, so the block does not claim
-//! them.
+//! Table 4 divided by c.
 
 mod solution;
 

@@ -3,7 +3,7 @@
 //! `-P dK = -(1/c) Q dH`. The block claims H and K of Table 2, the density c/(H K) of Theorem 1
 //! (with c, H, K at eps = 0), and two compatible brackets of Theorem 2: `P` of Table 3, and `Q` of
 //! Table 4 divided by c. In the coordinates x - z, x + z, y the system is the Euler top with a =
-//! (1, -3, 1). The paper gives no solution.
+//! (1, -3, 1).
 
 mod solution;
 

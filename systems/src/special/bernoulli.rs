@@ -3,8 +3,7 @@
 use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::{One, Zero};
 
-/// The number of Bernoulli numbers that are stored. The stored numbers suffice for 256 bits at
-/// arguments of 40 or more.
+/// The number of stored Bernoulli numbers, which suffice for 256 bits at arguments of 40 or more.
 const COUNT: usize = 64;
 
 /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈, computed from Σ_{j≤m} C(m+1, j) B_j = 0.

@@ -19,7 +19,7 @@ fn state(len: usize) -> Vec<Q> {
     (0..len as i64).map(|i| q(3 + (7 * i * i + 5 * i) % 11, 2 + (3 * i) % 5)).collect()
 }
 
-/// Tests (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃) for a step from x to x̃, and the inverse step.
+/// Tests (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃) for a step from x to x̃, and its inverse.
 fn satisfies_kahans_equation<M: LatticeMap<Q>>(fewest: usize, most: usize, map: impl Fn(usize) -> M) {
     for sites in fewest..=most {
         let eps = q(2, 17);

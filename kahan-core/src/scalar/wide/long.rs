@@ -111,8 +111,8 @@ impl LongNumber {
 
     /// Returns whether the exact value differs from `rounded` by at most relative·|rounded|.
     ///
-    /// If this holds for all components of x̃, then |A·x̃ − b| ≤ relative·(|A|·|x̃|) in every row of
-    /// A·x̃ = b.
+    /// If this holds for all components of x̃, then |A·x̃ − b| ≤ relative·(|A|·|x̃|) in every row
+    /// of A·x̃ = b.
     pub(crate) fn is_within(&self, relative: f64, rounded: Wide) -> bool {
         let off = self.leading() - rounded;
         off.size() + off.radius() <= rounded.size() * Size::from(relative)

@@ -20,7 +20,7 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if x = y = 0, where the point is
+    /// Returns the trajectory through `point` at t = 0. Fails if x = y = 0, because such a point is
     /// fixed.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
@@ -31,7 +31,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { alpha: (z / radius_square.sqrt()).asinh() / lambda, theta: y.atan2(&x), lambda })
     }
 
-    /// Returns the point at time t, which may be any real number.
+    /// Returns the point at any real time t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, theta } = self;
         let phase = *lambda * (*t + *alpha);

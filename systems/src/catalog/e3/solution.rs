@@ -14,20 +14,19 @@ use crate::special::Real;
 /// * on the outer branch, |εz| > 1 (not in the paper): (x, y) = (−1)ⁿ (cos θ, sin θ) cosh δ/(ε sinh
 ///   T), z = coth δ coth T/ε, where the integral K̂ is coth² δ/(2ε²).
 ///
-/// On both branches the integral Ĥ is tan θ, and δ has the sign of ε. In `f64` the error of the
-/// point after n steps is at most 4 ulp of the point's norm, multiplied by the condition of the
-/// formula, which is (1 + |T|) max(1, |ε| norm).
+/// On both branches the integral Ĥ is tan θ, and δ has the sign of ε. In `f64` the error is at most
+/// 4 ulp of the point's norm, multiplied by the condition (1 + |T|) max(1, |ε| norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// The parameter ε, which is half the time step.
+    /// Half the time step, ε.
     pub eps: T,
     /// The constant δ. A step increases T by 2δ.
     pub delta: T,
-    /// The constant κ, which is the value of T at n = 0.
+    /// The value κ of T at n = 0.
     pub kappa: T,
     /// The angle θ of the vector (x, y) or of its negative.
     pub theta: T,
-    /// The branch of the solution. On the inner branch |εz| < 1, and on the outer branch |εz| > 1.
+    /// The branch: inner if |εz| < 1, outer if |εz| > 1.
     pub branch: Branch,
 }
 
@@ -41,7 +40,7 @@ impl<T: Real> Solution<T> {
         require(!eps.is_zero(), "eps != 0")?;
         require(radius_square.is_positive(), "x^2 + y^2 > 0")?;
         let scaled = *eps * z;
-        // Compute 1 − ε²z² without cancellation.
+        // This is 1 − ε²z² without cancellation.
         let inner = (T::one() - scaled) * (T::one() + scaled);
         require(!inner.is_zero(), "eps^2 z^2 != 1")?;
         let width = inner.abs().sqrt();
@@ -73,8 +72,8 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps; n may be negative. The point is not finite at a pole, where
-    /// T = 0 on the outer branch.
+    /// Returns the point after n steps; n may be negative. At a pole, where T = 0 on the outer
+    /// branch, the point is not finite.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, theta, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;
