@@ -23,8 +23,7 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
 use super::step::emit_cost;
 
-/// Emits the type `__Coupled`, used by the code of [`emit_map`](super::map::emit_map) and
-/// [`emit_field`](super::field::emit_field).
+/// Emits the type `__Coupled`, which the field and the map use.
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, places] = sizes(context, couplings);
@@ -58,8 +57,7 @@ pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> Toke
     }
 }
 
-/// Returns the numbers of parameters, of entries of f′, and of entries of A that are not
-/// identically zero.
+/// Returns the numbers of parameters, of entries of f′, and of entries of A.
 pub(super) fn sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3] {
     let sizes = [parameters(context), couplings.places.len(), couplings.columns.len()];
     sizes.map(Literal::usize_unsuffixed)
@@ -85,8 +83,7 @@ pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> Token
 /// The most operations in one function. Compile time grows faster than the size of a function.
 const MOST_OPERATIONS: usize = 160;
 
-/// Emits the body of a function that returns the results of a plan as an array. A long body is
-/// split into several functions.
+/// Emits the body of a function that returns the results of a plan. A long body is split.
 fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     if plan.operations.len() <= 2 * MOST_OPERATIONS {
         let (bindings, results) = emit_part(context, plan);
@@ -217,8 +214,7 @@ fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     (lines, is_there)
 }
 
-/// Emits the LU elimination. Multipliers replace the entries below the diagonal, and reciprocals
-/// replace the pivots.
+/// Emits the LU elimination, with multipliers below the diagonal and reciprocal pivots.
 fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     let Couplings { rows, columns, .. } = couplings;
     let mut lines = TokenStream::new();

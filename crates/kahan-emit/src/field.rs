@@ -66,8 +66,7 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// Returns the bodies of `field` and `field_jacobian`, which are emitted plans or calls of methods
-/// of `__Coupled`.
+/// Returns the bodies of `field` and `field_jacobian`.
 fn emit_value_and_slope(
     context: &Context<'_>,
     derived: &Derived,

@@ -23,8 +23,7 @@ pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
     quote! { { use __kahan::Postfix::*; &[#steps] } }
 }
 
-/// Returns the stack depth of an operation whose operands need depths a and b. The operand with the
-/// larger depth comes first.
+/// Returns the stack depth of an operation, from the depths a and b of its operands.
 fn pair(a: usize, b: usize) -> usize {
     if a == b { a + 1 } else { a.max(b) }
 }
@@ -97,8 +96,7 @@ impl PostfixWriter<'_> {
         self.steps.extend(quote!(#step,));
     }
 
-    /// Writes two operands, the one with the larger depth first. Returns the name of the operation
-    /// for this order.
+    /// Writes two operands, the one with the larger depth first, and returns the operation's name.
     fn two(&mut self, a: Part, b: Part, names: [&str; 2]) -> TokenStream {
         let is_exchanged = self.depth(b) > self.depth(a);
         let [first, second] = if is_exchanged { [b, a] } else { [a, b] };

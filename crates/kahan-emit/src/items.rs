@@ -63,9 +63,8 @@ impl<'a> Type<'a> {
         self.has_parameters().then(|| quote!(<#scalar>))
     }
 
-    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`.
-    /// `formulas(follows)` returns the documentation, where `follows` says that the user's
-    /// documentation comes first.
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas` gets
+    /// whether the user's documentation comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
@@ -123,8 +122,8 @@ pub(super) const LISTS: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
 
 /// Expands to `impl E6 { pub const X: usize = 0; … }`, with the index of each state.
 ///
-/// A state gets no constant if the constant's name is in use. Only `E7<f64>` has the constants, so
-/// that `E7::X` needs no type annotation.
+/// A state gets no constant if the name is in use. Only `E7<f64>` has the constants, so that
+/// `E7::X` needs no type annotation.
 pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
     let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();

@@ -177,9 +177,8 @@ fn emit(core: &TokenStream, block: ParsedBlock, input: &FlatTokens) -> TokenStre
     }
 }
 
-/// Emits the errors of a block, and a stand-in type that prevents further errors of rustc. The
-/// methods of the stand-in return 0. If the states are unknown, the stand-in is the header's type
-/// or nothing.
+/// Emits the errors of a block, and a stand-in type whose methods return 0. If the states are
+/// unknown, the stand-in is the header's type or nothing.
 fn emit_broken(
     core: &TokenStream,
     broken: &Broken,
@@ -259,8 +258,7 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
     }
 }
 
-/// Emits a `compile_error!` at the tokens of each mistake, or one for all mistakes of an included
-/// file.
+/// Emits a `compile_error!` at each mistake, or one for all mistakes of an included file.
 fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     let spans = &input.spans;
     if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {

@@ -1,5 +1,4 @@
-//! Emits blocks that request a lift: the lifted field, and methods for the initial values of the
-//! new variables.
+//! Emits the fields that lifts yield, and methods for the initial values of the new variables.
 
 use kahan_algebra::arithmetic::Float64;
 use kahan_algebra::check::{Broken, Checked, StandIn};
@@ -150,9 +149,8 @@ fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Tests in floats whether an integral without proof is constant on the relations of the lift.
-/// Steps from points on the relations must change the integral by less than 1e-9 of its change
-/// elsewhere.
+/// Tests in floats whether an integral without proof is constant on the relations of the lift:
+/// steps there must change the integral by less than 1e-9 of its change elsewhere.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -206,8 +204,7 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to `embed` and `project`. The bounds are on the methods, so that errors of rustc name
-/// the scalar.
+/// Expands to `embed` and `project`. Their bounds make errors of rustc name the scalar.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));

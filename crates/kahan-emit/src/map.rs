@@ -148,8 +148,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     })
 }
 
-/// Emits the closed forms of det A, (N, D) and the reduced (N, D), all of which are polynomials in
-/// the state.
+/// Emits the closed forms of det A, (N, D) and the reduced (N, D), which are polynomials.
 fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {
@@ -167,8 +166,7 @@ fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     quote! { #det_matrix #rational_map #reduced_map }
 }
 
-/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`, which returns the numerators
-/// and the denominator.
+/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`, which returns (N, D).
 fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream {
     let (bindings, mut numerators) = emit_body(context, plan);
     let denominator = numerators.pop();

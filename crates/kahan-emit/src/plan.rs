@@ -21,8 +21,7 @@ use super::number::emit_constant;
 /// The nesting depth beyond which a value gets a `let`, which protects the stack of rustc.
 const DEEPEST: usize = 24;
 
-/// The Rust code of a plan: bindings, and one expression for each result. The expressions must be
-/// used in this order.
+/// The Rust code of a plan: bindings, and one expression for each result, to be used in order.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -92,8 +91,7 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step, which returns `None` at a pole. Constant k has the name `__e_`
-/// followed by `constants[k]`.
+/// Emits the kernel of a step, which returns `None` at a pole. `constants` are their names.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
@@ -209,8 +207,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Writes a binary operation. Of two operands with equal precedence, only the right one needs
-    /// parentheses.
+    /// Writes a binary operation, with parentheses around operands of lower precedence.
     fn binary(&mut self, a: Node, b: Node, level: Precedence, operator: char) -> Expression {
         let tighter = if level == Precedence::Sum { Precedence::Product } else { Precedence::Atom };
         let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));

@@ -1,5 +1,4 @@
-//! Emits the prepared step: constants made of ε and the parameters, and the kernel that runs on a
-//! state.
+//! Emits the prepared step: constants made of ε and the parameters, and the kernel of a state.
 //!
 //! ```text
 //! pub struct __Step;
@@ -67,8 +66,7 @@ impl<'a> NamedStep<'a> {
         Literal::usize_unsuffixed(self.names.len())
     }
 
-    /// Expands to the constants in order, `[eps.clone(), …]`, or to a block that ends with this
-    /// array.
+    /// Expands to the constants `[eps.clone(), …]`, or to a block that ends with this array.
     fn emit_constants(&self) -> TokenStream {
         let symbols = &self.context.system.field.symbols;
         let inputs = emit_inputs(&self.plan.constants, symbols);

@@ -55,8 +55,7 @@ impl Shown {
         }
     }
 
-    /// Reduces an implementation to the functions that were not shown before. Returns whether any
-    /// remain.
+    /// Removes functions that were shown before, and returns whether any remain.
     fn has_news(&mut self, item: &mut ItemImpl, functions: &[&str]) -> bool {
         let name = item.self_ty.to_token_stream().to_string();
         let name = name.split(' ').next().unwrap_or_default().to_owned();

@@ -63,10 +63,10 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
-    /// Replaces the last column by the solution, and returns the growth. For each pivot, the
-    /// smaller of two numbers counts: the largest factor below the pivot, and the largest quotient
-    /// of the pivot's row by the pivot. The growth is the maximum over all pivots. `sizes` has two
-    /// numbers per variable.
+    /// Replaces the last column by the solution, and returns the growth: the maximum over all
+    /// pivots of the smaller of two numbers. The numbers are the largest factor below the pivot,
+    /// and the largest quotient of the pivot's row by the pivot. `sizes` has two numbers per
+    /// variable.
     #[inline(always)]
     fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
         let (n, zero) = (self.variables, L::spread(&T::zero()));

@@ -34,8 +34,7 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> Option<()> {
         let Self { maps, mut columns, steps } = self;
-        // Advances two registers at a time, which hides latency. If one register holds the whole
-        // group, both registers are the same.
+        // Advances two registers at a time, which hides latency.
         for part in (0..GROUP).step_by(2 * L::WIDTH) {
             let parts = [part, (part + L::WIDTH) % GROUP];
             let [first, second] = parts.map(|part| {

@@ -100,7 +100,7 @@ pub trait InLanes: EnsembleScalar {
     /// The number of numbers in a 256-bit register.
     const ROWS: usize = Self::MOST / 2;
 
-    /// The fraction of the largest entries of a row and a column below which an entry cannot change
+    /// The fraction of the largest entries of its row and column below which an entry cannot change
     /// the solution. The square of the fraction is a normal number.
     const NEGLIGIBLE: Self;
 

@@ -3,8 +3,7 @@
 /// An instruction set for the steps of an [`Ensemble`](crate::Ensemble), in increasing order.
 ///
 /// The instruction set determines how many trajectories a register holds and whether multiply-adds
-/// are fused. The last bits of a result depend on the instruction set, but not on the run or the
-/// machine.
+/// are fused, and therefore the last bits of results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Level {

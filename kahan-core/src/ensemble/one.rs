@@ -1,5 +1,4 @@
-//! Ensembles on processors without supported vector registers, one trajectory at a time. The step
-//! is that of lanes, and gives the bits of lanes.
+//! Ensembles on processors without supported vector registers, one trajectory at a time.
 
 use crate::PreparedStep;
 use crate::composition::Staged;

@@ -51,8 +51,7 @@ where
     Some(())
 }
 
-/// Returns the number of groups in a tile, at least one. A tile has at most 512 trajectories and 16
-/// KiB, which fit any first-level cache.
+/// Returns the number of groups in a tile, at most 512 trajectories and 16 KiB.
 pub(crate) const fn groups_per_tile<T, const N: usize>() -> usize {
     const TRAJECTORIES: usize = 512;
     const BYTES: usize = 16 << 10;

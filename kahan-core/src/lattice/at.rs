@@ -1,5 +1,4 @@
-//! A family's map at one ε, for chains of one length. All memory is allocated before the first
-//! step.
+//! A family's map at one ε, for chains of one length.
 
 use core::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -52,7 +51,6 @@ impl<T: LatticeScalar> StepWorkspace<T> {
     fn new(form: WorkspaceLayout) -> Self {
         let WorkspaceLayout { sizes, sites, boundary, partition, level } = form;
         let is_ring = boundary == Boundary::Periodic;
-        // This solver is needed only after a part meets a pivot that is too small.
         let folded = if partition.is_some() { Folded::with_little_memory } else { Folded::new };
         Self {
             form,
@@ -144,10 +142,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         Ok(Self { map, eps, forward, backward, form, memory, promise })
     }
 
-    /// Sets the instruction set of the steps, by default the highest of the processor. Returns
-    /// `None` if the processor lacks this instruction set.
-    ///
-    /// The instruction set affects the last bits of long chains of `f32` and `f64`.
+    /// Sets the instruction set of the steps, which affects the last bits of long chains. The
+    /// default is the highest of the processor. Returns `None` if the processor lacks the
+    /// instruction set.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
         self.memory = Mutex::new(StepWorkspace::new(self.form));
@@ -168,8 +165,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         &self.eps
     }
 
-    /// Returns the number of steps that eliminated the whole chain at once. In a long chain, a step
-    /// does this after a part met a pivot that is too small. In short chains, all steps do.
+    /// Returns the number of steps that eliminated the whole chain at once. In a long chain, these
+    /// are the steps in which a part met a pivot that is too small.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
@@ -274,10 +271,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         failed(Reason::Refined, least * T::UNIT)
     }
 
-    /// Takes `steps` steps in place.
-    ///
-    /// Steps use the map's own workspace. A concurrent call from another thread allocates a
-    /// workspace.
+    /// Takes `steps` steps in place. A concurrent call from another thread allocates a workspace.
     ///
     /// # Panics
     /// Panics as [`step`](Self::step) does.
@@ -313,7 +307,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// The numerator is |A x̃ − b|. Over an exact scalar the result is 0 only for the exact step.
     /// If a component is NaN, the result is NaN.
-    /// a component is NaN, the result is NaN.
     ///
     /// # Panics
     /// If a state has the wrong length.

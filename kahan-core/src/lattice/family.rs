@@ -42,8 +42,8 @@ pub struct Sizes {
 /// | `WIDTH` | `LOWER` + 1 + `UPPER`, the number of entries in a row of the band |
 ///
 /// Array b of site i has row (i, b). The entry of this row in the column of array b′ of site i + o
-/// lies o·B + b′ − b to the right of the diagonal. `SITES` and `WIDTH` follow from the other sizes,
-/// because array lengths cannot be computed from type parameters. Wrong values do not compile.
+/// lies o·B + b′ − b to the right of the diagonal. Wrong values of `SITES` or `WIDTH` do not
+/// compile.
 #[derive(Clone, Copy, Debug)]
 pub struct Stencil<
     const B: usize,

@@ -1,5 +1,5 @@
-//! The step of a chain whose matrix entries or pivots exceed the range of the scalar, by one
-//! elimination over long numbers.
+//! The step of a chain with numbers beyond the range of the scalar, by one elimination over long
+//! numbers.
 
 use std::vec::Vec;
 

@@ -2,8 +2,8 @@
 //!
 //! A cyclic band of half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order
 //! 0, n−1, 1, n−2, …. Entries in one place are added; therefore a ring may be shorter than its
-//! band. A solver that is rarely used stores only one range of columns of U, and back substitution
-//! eliminates each range again.
+//! band. To save memory, a solver may store few rows of U at once, and eliminate again during back
+//! substitution.
 
 use std::vec;
 use std::vec::Vec;
@@ -13,7 +13,6 @@ use crate::Scalar;
 #[derive(Clone, Copy, Debug)]
 pub(super) enum EliminationOrder {
     Natural,
-    /// The n unknowns in the order 0, n−1, 1, n−2, ….
     Folded,
 }
 
@@ -126,7 +125,6 @@ impl<T: Scalar> Folded<T> {
         Some(&self.solution)
     }
 
-    /// Eliminates the columns of the stretch that starts at `begin`.
     fn eliminate_stretch(
         &mut self,
         begin: usize,
@@ -135,7 +133,6 @@ impl<T: Scalar> Folded<T> {
         let stride = self.width + 1;
         let mut rows = if begin == 0 { 0 } else { self.len.min(begin + self.lower) };
         for place in begin..self.len.min(begin + self.stretch) {
-            // Appends all rows with an entry in this column.
             while rows < self.len && rows <= place + self.lower {
                 let entries = &mut self.window[(rows - place) * stride..][..stride];
                 entries.fill(T::zero());
@@ -248,8 +245,6 @@ mod tests {
         let (len, reach) = (1_000_000, 17);
         let folded = Folded::<f64>::with_little_memory(len, true, reach, reach);
         let numbers = [&folded.window, &folded.done, &folded.begun, &folded.solution].map(Vec::len);
-        // The solution takes n numbers. There is one window of 35 rows of 70 numbers for every
-        // 64·35 unknowns.
         assert!(numbers.iter().sum::<usize>() < 3 * len, "{numbers:?}");
     }
 }

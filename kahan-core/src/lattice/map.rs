@@ -27,8 +27,7 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 /// - `registers`: [`Sizes::registers`] numbers of scratch memory.
 ///
 /// In a short cyclic chain, one site may occur several times in `x`; its results are then added.
-/// Implementations are `#[inline(always)]` without closures, because otherwise lanes lack target
-/// features.
+/// Implementations must be `#[inline(always)]` without closures.
 #[expect(private_bounds, reason = "the kernels of a chain are nobody else's")]
 pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// The names of the arrays, in their order within a site.

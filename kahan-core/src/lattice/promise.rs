@@ -106,8 +106,8 @@ impl<J: Scalar> BoundedRows<J> {
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
-    /// Computes the residual and the backward error in row b of this site. `largest` bounds all
-    /// inputs.
+    /// Computes the residual and the backward error in row b of this site. All inputs are ≤
+    /// `largest`.
     fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Residual<T>
     where
         M: LatticeMap<T>,

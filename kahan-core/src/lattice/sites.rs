@@ -40,8 +40,7 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Gathers the neighbourhood of site i. `convert` converts its states, and `given` its
-    /// parameters.
+    /// Gathers the neighbourhood of site i. `convert` converts states, and `given` parameters.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,
@@ -99,8 +98,7 @@ impl<L: Scalar> Site<L> {
         &self.f[b]
     }
 
-    /// Iterates over the entries of row b with their columns. Entries beyond open ends are left
-    /// out.
+    /// Iterates over the entries of row b with their columns, without entries beyond open ends.
     pub(super) fn entries<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,

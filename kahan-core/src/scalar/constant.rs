@@ -98,7 +98,6 @@ impl<'a> Constant<'a> {
     pub const fn to_double_double(&self) -> (f64, f64) {
         let high = self.to_f64();
         let low = match self.0 {
-            // Both integers are below 2⁶⁵, and their difference is exact in `f64`.
             ConstantForm::Integer(n) => (n as i128 - high as i128) as f64,
             ConstantForm::Ratio(p, q) => remainder(p as f64, q as f64, high) / q as f64,
             ConstantForm::Long(long) => long.low,

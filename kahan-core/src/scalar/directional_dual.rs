@@ -21,8 +21,7 @@ impl<T: Scalar> DirectionalDual<T> {
         Self { value, slope: None }
     }
 
-    /// Creates a number. Without `fenced`, compilers would pack the parts, and shuffles would cost
-    /// more.
+    /// Creates a number whose parts are not packed, because shuffles would cost more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }

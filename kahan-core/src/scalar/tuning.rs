@@ -20,10 +20,7 @@ pub(crate) fn is<T: 'static, U: 'static>() -> bool {
     size_of::<T>() == size_of::<U>() && TypeId::of::<T>() == TypeId::of::<U>()
 }
 
-/// Casts a number of type T to U.
-///
-/// # Panics
-/// If T and U differ.
+/// Casts a number of type T to U, which must be the type T.
 #[inline(always)]
 pub(crate) fn same<T: 'static, U: 'static>(number: &T) -> &U {
     match (number as &dyn Any).downcast_ref() {
@@ -67,11 +64,8 @@ pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     })
 }
 
-/// Returns the number unchanged, but prevents its packing into a vector with other numbers. Of a
-/// bounded value, the magnitude is protected.
-///
-/// In a packed vector, all numbers wait for the latest one, and shuffles cost more than packing
-/// saves.
+/// Returns the number unchanged, but prevents its packing into a vector with other numbers. Packed
+/// numbers wait for the latest one, and cost shuffles.
 #[inline(always)]
 pub fn fenced<T: 'static>(mut number: T) -> T {
     let _ = change(&mut number, |single: &mut f32| *single = fence::single(*single))
@@ -91,7 +85,6 @@ pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
 /// Applies `change` if the number has the type U, and returns whether the types agree.
 #[inline(always)]
 fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -> bool {
-    // Types are compared first; therefore unreachable calls of `downcast_mut` need no inlining.
     if is::<T, U>()
         && let Some(number) = (number as &mut dyn Any).downcast_mut()
     {

@@ -94,9 +94,8 @@ fn lattice(side: usize) -> Pattern {
     Pattern::of(side * side, |i, j| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1)
 }
 
-/// Solves a test system in which variable i is measured in units of `units(i)`. `flushes` replaces
-/// negligible factors by 0. Returns the smallest nonzero entry of the factors, and the solution
-/// without the units.
+/// Solves a test system in which variable i is measured in units of `units(i)`. Returns the
+/// smallest nonzero entry of the factors, and the solution without the units.
 fn solved(pattern: &Pattern, eps: f64, units: impl Fn(usize) -> f64, flushes: bool) -> (f64, Vec<f64>) {
     let n = pattern.order.len();
     let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };

@@ -6,8 +6,7 @@ pub(super) mod tests;
 
 use super::lanes::Square;
 
-/// The comparisons and selections of a register that [`Lanes`](crate::ensemble::lanes::Lanes)
-/// requires.
+/// The comparisons and selections that [`Lanes`](crate::ensemble::lanes::Lanes) requires.
 pub(in crate::ensemble) trait SelectLanes: Copy {
     type Float;
     type Mask: Copy;

@@ -100,7 +100,6 @@ impl<
                 }
             }
             for r in 0..R {
-                // The next part uses the other entries.
                 let SiteLine { a, .. } = map.line::<L, B, P, C, SITES>(&mut sites);
                 for b in 0..B {
                     for k in 0..R - r {
@@ -153,8 +152,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The final dense system of the first pass, followed by the largest multipliers. Its first columns
-/// are eliminated. Only its first rows may become pivot rows.
+/// The final dense system of the first pass, followed by the largest multipliers. Only the first
+/// rows may become pivot rows.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

@@ -82,8 +82,8 @@ impl PartGroup {
         }
     }
 
-    /// Gathers the first `sites` sites of each part. `chain` starts with the first part. Each
-    /// number of a site goes to a register, and sites are `stride` registers apart.
+    /// Gathers the first `sites` sites of each part, in registers that are `stride` apart per site.
+    /// `chain` starts with the first part.
     pub(super) fn gather_inner<T: InLanes>(
         self,
         chain: &[T],

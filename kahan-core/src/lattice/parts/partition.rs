@@ -23,8 +23,8 @@ impl Partition {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
 
-    /// Divides a chain into parts of about `about` sites, or returns `None` if the parts would be
-    /// shorter than `least`.
+    /// Divides a chain into parts of about `about` sites. Returns `None` for parts shorter than
+    /// `least`.
     pub(in crate::lattice) fn with_length(
         sites: usize,
         reach: usize,

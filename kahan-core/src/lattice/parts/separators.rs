@@ -9,8 +9,7 @@ use crate::{Constant, Scalar};
 
 use super::partition::Partition;
 
-/// The largest ratio of a separator's entry to its pivot. The ratio 2¹⁰ costs three of sixteen
-/// digits.
+/// The largest ratio of a separator's entry to its pivot, which costs three of sixteen digits.
 const GROWTH: i64 = 1 << 10;
 
 /// Returns the number of numbers stored per part, for a separator of this many unknowns.

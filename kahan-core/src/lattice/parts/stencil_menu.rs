@@ -1,7 +1,4 @@
-//! The kernels of families read at run time: both passes for the first stencil that is large
-//! enough.
-//!
-//! Missing entries become zeros, which change no bits while numbers are finite.
+//! The kernels of families read at run time. Missing entries of a stencil become zeros.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;

@@ -21,7 +21,6 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
     }
 
     /// Exchanges this row with `other` in the lanes where the first entry of `other` is larger.
-    /// Exchanges are rare; therefore all lanes are tested at once.
     #[inline(always)]
     fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where

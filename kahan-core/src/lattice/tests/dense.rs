@@ -73,8 +73,7 @@ fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally:
         let mut next = x.clone();
         at.step(&mut next);
         for ((next, x), gained) in next.iter().zip(&x).zip(&gained) {
-            // The factor 4096 covers the backward errors of the eliminations. Multipliers are at
-            // most 2¹⁰.
+            // The factor 4096 covers the backward errors of the eliminations.
             let bound = 4096.0 * f64::EPSILON * condition * largest;
             let error = (next - (x + gained)).abs();
             assert!(error <= bound, "{sites} sites, eps = {eps}, seed {seed}: {error:e} beyond {bound:e}");

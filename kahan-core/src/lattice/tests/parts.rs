@@ -39,8 +39,7 @@ fn levels() -> impl Iterator<Item = Level> {
         .filter(|level| level.is_available())
 }
 
-/// Compares steps in parts with one elimination, in the maximum norm. A is diagonally dominant, and
-/// both results are within a few roundings of x̃.
+/// Compares steps in parts with one elimination, in the maximum norm.
 fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item = usize>, eps: f64) {
     for sites in sites {
         let x = state(sites * M::BLOCK);
@@ -93,8 +92,7 @@ fn long_chains_are_cut_into_parts() {
     }
 }
 
-/// Column i of A has its only entry in the separator's row. The interior that begins with site i is
-/// then singular, although A is not.
+/// The interior that begins with site i is singular, although A is not.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (200, 0.125);

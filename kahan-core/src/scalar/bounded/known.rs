@@ -1,7 +1,7 @@
 //! Magnitudes and errors of computed values, and the backward error of a row of a linear system.
 //!
-//! The backward error |A·x̃ − b|/(|A|·|x̃| + |b|) of a row of A·x̃ = b is bounded from above. The
-//! input is the residual A·x̃ − b, the row's right-hand side, and the products' magnitudes.
+//! The backward error of a row of A·x̃ = b is |A·x̃ − b|/(|A|·|x̃| + |b|). An upper bound follows
+//! from the residual A·x̃ − b, the right-hand side, and the magnitudes of the row's products.
 
 use super::{Bounded, InputLimit, Magnitude, Number};
 
@@ -66,7 +66,6 @@ mod tests {
     fn nothing_is_known_where_a_premise_is_broken() {
         let fine = known(1.0, 0.0);
         assert_eq!(backward_error(fine, 1.0, fine, 1023.0), 1.0 / (1.0 + 62.0 / 64.0));
-        // Inputs of 2¹⁰ exceed the limit of the residual or of the right-hand side.
         assert_eq!(backward_error(fine, 1.0, fine, 1024.0), f64::INFINITY);
         let refused = KnownBounds { largest_input: InputLimit::NONE, ..fine };
         assert_eq!(backward_error(refused, 1.0, fine, 0.0), f64::INFINITY);

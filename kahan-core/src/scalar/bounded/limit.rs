@@ -31,7 +31,7 @@ impl InputLimit {
         }
     }
 
-    /// Returns whether inputs up to this magnitude are allowed. NaN is not allowed.
+    /// Returns whether inputs up to this magnitude are allowed.
     #[inline(always)]
     pub(crate) fn allows<G: Magnitude>(self, largest: G) -> bool {
         G::of(self.size()) > largest

@@ -79,10 +79,8 @@ pub(crate) use number::{Magnitude, Number, Range, power_of_two};
 pub(crate) use packed::{PackedDouble, PackedSingle};
 pub(crate) use pair::{BoundedPair, UnpackedPair};
 
-/// A double and its magnitude, for targets without packed registers.
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type PackedDouble = UnpackedPair<f64>;
-/// A float and its magnitude, for targets without packed registers.
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type PackedSingle = UnpackedPair<f32>;
 
@@ -103,8 +101,7 @@ pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     bits: u32,
     /// An approximation of 1/|value|, for a quotient whose numerator is an integer constant.
     inverse: Option<V::Magnitude>,
-    /// An approximation of magnitude/|value| without the slack. A separate field prevents a vector
-    /// load of both.
+    /// An approximation of magnitude/|value| without the slack.
     ratio: Option<V::Magnitude>,
 }
 

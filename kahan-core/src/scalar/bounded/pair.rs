@@ -4,19 +4,16 @@ use core::fmt::Debug;
 
 use super::number::Number;
 
-/// A value with its magnitude, and operations on both. The operands are (v̂, m) and (ŵ, n).
+/// A value with its magnitude. The magnitudes of a sum or a difference are added, and those of a
+/// product are multiplied.
 pub(crate) trait BoundedPair<V: Number>: Copy + Debug + 'static {
     fn new(value: V, magnitude: V::Magnitude) -> Self;
     fn value(self) -> V;
     fn magnitude(self) -> V::Magnitude;
 
-    /// Returns (v̂ + ŵ, m + n).
     fn plus(self, other: Self) -> Self;
-    /// Returns (v̂ − ŵ, m + n).
     fn minus(self, other: Self) -> Self;
-    /// Returns (v̂·ŵ, m·n).
     fn times(self, other: Self) -> Self;
-    /// Returns (−v̂, m).
     fn negated(self) -> Self;
 
     /// Returns self·factor + addend. The value is rounded as in `Scalar::multiply_add`.

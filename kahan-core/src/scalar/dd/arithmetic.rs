@@ -38,8 +38,8 @@ pub(super) fn difference(x: Dd, y: Dd) -> Dd {
     sum(x, -y)
 }
 
-/// Returns xy with an error of at most 5u²·|xy|, by the algorithm DWTimesDW2. Without fused
-/// operations the algorithm is DWTimesDW1.
+/// Returns xy with an error of at most 5u²·|xy|, by the algorithm DWTimesDW2 or, without fused
+/// operations, DWTimesDW1.
 #[inline(always)]
 pub(super) fn product(x: Dd, y: Dd) -> Dd {
     let leading = two_product(x.high, y.high);
@@ -48,8 +48,7 @@ pub(super) fn product(x: Dd, y: Dd) -> Dd {
 
 /// Returns xy + z with an error of at most 16u²·|xy| + 5u²·|xy + z|.
 ///
-/// The product is not normalised, and the lower parts are added as floats. This takes half the time
-/// of a product and a sum.
+/// The lower parts are added as floats, in half the time of a product and a sum.
 ///
 /// Let p = |xy| and r = |xy + z|, where |z| ≤ p + r. In units of u², the additions of the lower
 /// parts round by p + |z|, 2p + |z|, 3p + |z| and 3p + |z| + r. The omitted product x.low·y.low is

@@ -207,8 +207,7 @@ fn next_limb(fraction: &mut [u64]) -> u64 {
     carry
 }
 
-/// Parses the text forms that `f64` parses. `high` is the nearest float, and `low` is the float
-/// nearest to the remainder.
+/// Parses the text forms that `f64` parses, with both parts correctly rounded.
 impl FromStr for Dd {
     type Err = ParseFloatError;
 
@@ -223,7 +222,6 @@ impl FromStr for Dd {
         let leading = Fixed::magnitude(high);
         let low = if number.is_less(&leading) {
             let rest = leading.minus(&number);
-            // The difference leading − (number + more) lies between two fixed-point numbers.
             let rest = if has_more { rest.minus(&Fixed::last_place()) } else { rest };
             -rest.rounded(has_more)
         } else {

@@ -38,8 +38,8 @@ mod product {
         (product, a.mul_add(b, -product))
     }
 
-    /// Returns whole − ab. The factor a is the rounded quotient whole/b or, if a = b, the rounded
-    /// root of whole.
+    /// Returns whole − ab for the rounded quotient a of whole/b, or for the rounded root a = b of
+    /// whole.
     #[inline(always)]
     pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
         (-a).mul_add(b, whole)

@@ -124,8 +124,7 @@ impl LongNumber {
     }
 
     /// Returns whether a larger capacity would not help, because all components are known, or a
-    /// known component is out of range. Each component comes with a flag that says whether it is in
-    /// range.
+    /// known component is out of range. Each component comes with whether it is in range.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);
@@ -161,8 +160,8 @@ impl LongNumber {
     }
 }
 
-/// Scales a row of a linear system by a power of two, which brings its largest entry near 1. The
-/// largest entry of a column is then a good pivot.
+/// Scales a row of a linear system by a power of two. The largest entry of a column is then a good
+/// pivot.
 pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut LongNumber>, right: &mut LongNumber) {
     let mut row: std::vec::Vec<_> = row.collect();
     let largest = row.iter().filter(|entry| entry.0.is_some()).map(|entry| entry.at_most());

@@ -53,8 +53,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         D
     };
 
-    /// The binary exponent of the largest relative error of an operation. A number of D digits is
-    /// at least 2⁶⁴⁽ᴰ⁻¹⁾⁻¹ times the unit of the last digit.
+    /// The binary exponent of the largest relative error of an operation.
     pub(crate) const UNIT_EXPONENT: i64 = -(64 * (Self::MOST_DIGITS as i64 - 1) - 2);
 
     const ZERO: Self = Self {

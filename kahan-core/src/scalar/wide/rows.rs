@@ -34,8 +34,6 @@ impl<const M: usize> DigitRow<M> {
     const GUESSED: usize = if Self::IS_LONG { 64 * (LEADING - 2) } else { 48 };
 
     /// The number of division rounds. Each round reduces the remainder by the factor 2^−GUESSED.
-    /// All rounds together leave less than the last place of a number, which has half of the digits
-    /// of a row.
     const ROUNDS: usize = 64 * (M / 2 - 2) / Self::GUESSED + 1;
 
     pub(super) const EMPTY: Self =
@@ -114,8 +112,7 @@ impl<const M: usize> DigitRow<M> {
         size_of(self.leading())
     }
 
-    /// Returns |d·2⁶⁴ + d′| and the place of d′, or `None` for zero. The leading digit is d, and
-    /// the digit one place below is d′, which may be 0.
+    /// Returns |d·2⁶⁴ + d′| for the leading digit d and the next digit d′, with the place of d′.
     pub(super) fn leading_pair(&self) -> Option<(u128, i64)> {
         let (&(place, first), rest) = self.digits().split_first()?;
         let second = rest.first().filter(|(next, _)| *next == place - 1).map_or(0, |(_, digit)| *digit);
@@ -220,8 +217,7 @@ impl<const M: usize> DigitRow<M> {
     }
 
     /// Returns q and r with self = q·divisor + r exactly, for a nonzero divisor. The remainder r is
-    /// below the last place of a number. Each round of the division corrects the estimates of
-    /// earlier rounds.
+    /// below the last place of a number.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {

@@ -5,7 +5,7 @@ use core::ops::{Add, Div, Mul};
 
 use num_traits::Zero;
 
-/// A magnitude mantissa·2^exponent with a mantissa in [1, 2), or a mantissa 0, infinity or NaN with
+/// A magnitude mantissa·2^exponent with a mantissa in [1, 2), or a mantissa 0, ∞ or NaN with
 /// exponent 0. Operations round by at most 2⁻⁵². An exponent out of range gives NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {

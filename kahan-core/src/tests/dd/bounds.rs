@@ -55,8 +55,8 @@ fn check_sums(seed: u64, count: usize) {
     }
 }
 
-/// At these operands an operation nearly reaches its bound. The operands of the sum are from the
-/// paper of Joldeş, Muller and Popescu, the others from a search.
+/// An operation nearly reaches its bound at these operands, which a search found. Those of the sum
+/// are from the paper of Joldeş, Muller and Popescu.
 #[test]
 fn the_bounds_are_nearly_reached() {
     let of_bits = |high: u64, low: u64| Dd::new(f64::from_bits(high), f64::from_bits(low));
@@ -180,8 +180,7 @@ fn check_multiply_adds(seed: u64, count: usize) {
     }
 }
 
-/// Checks subnormal numbers. Sums are exact, and other operations have an additional error of
-/// 2⁻¹⁰⁷².
+/// Checks subnormal numbers, whose products and quotients have an additional error of 2⁻¹⁰⁷².
 fn check_subnormals(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {

@@ -122,8 +122,7 @@ fn short_fractions_are_exact() {
     }
 }
 
-/// If each operand is wrong by its whole radius, the error of the result is at most the radius of
-/// the result.
+/// The error of a result is within its radius even if each operand is wrong by its whole radius.
 #[test]
 fn a_radius_holds_whatever_the_operands_stand_for() {
     let mut random = Random(9);
