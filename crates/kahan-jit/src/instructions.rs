@@ -6,8 +6,7 @@ use crate::assembler::{Element, OperandForm, Width};
 /// An extension of the processor: Intel's name, and a test whether processor and system support it.
 type Extension = (&'static str, fn() -> bool);
 
-/// An instruction set of a processor. Within one architecture, a later set includes the earlier
-/// sets.
+/// An instruction set of a processor. Later sets of an architecture include earlier sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
     /// AVX, with sixteen registers that are used with 128 bits.
@@ -16,8 +15,7 @@ pub enum InstructionSet {
     Avx2,
     /// AVX-512F and AVX-512VL, with thirty-two registers of 512 bits or less.
     Avx512,
-    /// A64 with Advanced SIMD, on every 64-bit Arm processor: 32 registers of 128 bits, fused
-    /// multiply-adds.
+    /// A64 with Advanced SIMD, with 32 registers of 128 bits and fused multiply-adds.
     Neon,
 }
 
@@ -47,11 +45,7 @@ impl InstructionSet {
             && self.extensions().iter().all(|(_, is_detected)| is_detected())
     }
 
-    /// Checks that run-time code is supported on this system. On 64-bit Arm, only Linux and Android
-    /// are supported.
-    ///
-    /// # Errors
-    /// [`CompileError::System`].
+    /// Checks that this system supports run-time code. On 64-bit Arm, only Linux and Android do.
     pub(crate) fn may_run(self) -> Result<(), CompileError> {
         let is_known = cfg!(all(any(target_os = "linux", target_os = "android"), target_endian = "little"));
         if self == Self::Neon && cfg!(target_arch = "aarch64") && !is_known {

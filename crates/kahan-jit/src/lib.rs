@@ -5,8 +5,6 @@
 //! over columns of trajectories ([`Sweep`]). Results have the bits of generated Rust code. Without
 //! the feature `pages` every program is refused.
 //!
-//! # Modules
-//! The stages are `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`, `call`.
 //! `unsafe` occurs only in `call.rs`, three files of `routine`, `pages/cache.rs` and a test helper.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]

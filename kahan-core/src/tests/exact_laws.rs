@@ -61,7 +61,7 @@ fn the_step_solves_the_linear_system() {
 fn stepping_back_returns_the_start_exactly() {
     fn law<M: KahanMap<Q, N>, const N: usize>(map: &M, x: &V<N>, eps: Q) {
         let next = map.step(x, eps.clone());
-        // If det ∂x̃/∂x = 0, x̃ is a pole of the inverse.
+        // If this determinant is 0, x̃ is a pole of the inverse.
         if map.det_matrix(&next, -eps.clone()).is_zero() {
             return;
         }

@@ -109,7 +109,6 @@ fn a_short_eps_is_the_nearest_and_its_cube_is_exact() {
     let (short, long) = (nearest_short_eps(0.05_f32), nearest_short_eps(0.05_f64));
     assert_eq!(f64::from(short).powi(3), f64::from(short.powi(3)));
     assert_eq!((short * 4096.0).fract(), 0.0);
-    // The square has 34 bits and the cube 51, so that both are exact.
     assert_eq!(
         (long.mul_add(long, -(long * long)), long.mul_add(long * long, -(long * long * long))),
         (0.0, 0.0)
@@ -134,14 +133,12 @@ fn a_short_double_double_is_the_nearest() {
         (-1.0 - unit, -1.0, -1.0 - unit)
     );
     let third = nearest_short_eps(Dd::from(1.0) / Dd::from(3.0));
-    // The number starts at 2⁻² and has 35 bits.
     assert_eq!((third.low(), (third.high() * 2_f64.powi(36)).fract(), Dd::SHORT_BITS), (0.0, 0.0, 35));
     assert!((third.high() - 1.0 / 3.0).abs() <= unit / 8.0);
     assert!(nearest_short_eps(Dd::from(f64::MAX)).high().is_finite());
 }
 
-/// The baseline rounds like a single orbit. Higher instruction sets fuse multiply-adds, which
-/// changes each of the 17 stages by a few units of 2⁻⁵³.
+/// The baseline rounds like a single orbit. Higher instruction sets fuse multiply-adds.
 #[cfg(feature = "std")]
 #[test]
 fn an_ensemble_takes_the_steps_of_a_composed_orbit() {

@@ -1,9 +1,9 @@
 //! Tests that the coefficients of compositions satisfy the order conditions.
 //!
-//! A symmetric one-step method is exp(hY₁ + h³Y₃ + h⁵Y₅ + …) with general derivations Yₖ, where Y₁
-//! = f. A composition is a product of these exponentials with γᵢh in place of h. The composition
-//! has order p if the product equals exp(hY₁) up to hᵖ, as series in non-commuting letters (E.
-//! Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, III.3).
+//! A symmetric one-step method of step h is exp(hY₁ + h³Y₃ + h⁵Y₅ + …) with derivations Yₖ. A
+//! composition is a product of these exponentials with γᵢh in place of h. The composition has order
+//! p if the product equals exp(hY₁) up to hᵖ (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical
+//! Integration, III.3).
 
 use std::collections::BTreeMap;
 use std::vec::Vec;
@@ -16,8 +16,8 @@ use crate::{Composition, Constant};
 
 type Q = BigRational;
 
-/// A series in the words over the letters 1, 3, 5, 7, truncated by grade (the sum of a word's
-/// letters). The coefficients are multiples of 2⁻²⁰⁰.
+/// A series in words over the letters 1, 3, 5, 7, truncated by grade (the sum of a word's letters).
+/// The coefficients are multiples of 2⁻²⁰⁰.
 type Series = BTreeMap<Vec<u32>, BigInt>;
 
 const BITS: u32 = 200;

@@ -63,8 +63,7 @@ impl<'a> Allocator<'a> {
         allocator
     }
 
-    /// Finds each result's destination. A result that overwrites a state is stored after the last
-    /// read of that state.
+    /// Finds each result's destination, and whether the result must be stored last.
     fn expect_results(&mut self) {
         let results: Vec<usize> = self.program.outputs.iter().map(|output| output.0).collect();
         let mut states: Vec<Option<usize>> = vec![None; results.len()];
@@ -178,8 +177,7 @@ impl<'a> Allocator<'a> {
         self.finish(&[a, b], |to| MachineInstruction::Binary(operator, to, first, second));
     }
 
-    /// Writes a fused multiply-add. The `FusedOrder` of the instruction says which operand the
-    /// result overwrites.
+    /// Writes a fused multiply-add, which overwrites one of its operands.
     fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
         let operands = operands.map(|operand| operand.0);
         let [mut a, mut b, c] = operands;
@@ -207,8 +205,7 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // If an operand is in memory, it is loaded into a fresh register. Otherwise the addend
-            // is copied.
+            // If an operand is in memory, it is loaded. Otherwise the addend is copied.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {

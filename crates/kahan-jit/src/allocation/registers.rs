@@ -40,8 +40,7 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Returns whether loading a value from memory pays: a variable is read again and a register is
-    /// free.
+    /// Returns whether loading a variable pays: it is read again, and a register is free.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable =
             !matches!(self.home[value], Some(ValueLocation::Constant(_) | ValueLocation::Literal(_)) | None);
@@ -57,7 +56,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register for the current value. For the next state i, register i is preferred.
+    /// Returns a register for the current value. The value of the next state i prefers register i.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == ResultDestination::Carried);
         match carried {

@@ -1,8 +1,7 @@
 //! Assemblers for straight-line floating-point code, one per processor.
 //!
-//! The machine code is followed by a pool of constants. The modules of both processors have an
-//! `Assembler` with equal interface. Tests compile both modules and compare their bytes with those
-//! of other assemblers.
+//! The machine code is followed by a pool of constants. Tests compile the modules of both
+//! processors, and compare their bytes with those of other assemblers.
 
 #[cfg(any(target_arch = "aarch64", test))]
 mod a64;
@@ -39,8 +38,7 @@ pub(crate) enum Fused {
     SubtractProduct,
 }
 
-/// The operands d, b and c of a fused operation, of which two are multiplied. The result overwrites
-/// d.
+/// The operands d, b and c of a fused operation. The result overwrites d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FusedOrder {
     /// Multiplies d by c; b is the addend.

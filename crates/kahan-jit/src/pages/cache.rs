@@ -23,8 +23,7 @@ pub(super) fn publish(code: &[u8]) {
     unsafe { asm!("dsb ish", "isb", options(nostack, preserves_flags)) };
 }
 
-/// Returns the lengths in bytes of the shortest line of the data cache and of the instruction
-/// cache.
+/// Returns the lengths in bytes of the shortest lines of the data and the instruction cache.
 fn line_lengths() -> [usize; 2] {
     let types: u64;
     // SAFETY: user programs may read this register.

@@ -32,10 +32,8 @@ struct Frame {
 }
 
 impl Frame {
-    /// Begins a function over numbers of type `T`, with stack slots above the stack pointer.
-    ///
-    /// # Panics
-    /// If results become states, and a state that the program reads has no result.
+    /// Begins a function over numbers of type `T`, with stack slots above the stack pointer. Panics
+    /// if results become states, and a state that the program reads has no result.
     fn open<T: Float>(
         program: &Program,
         shape: Shape,

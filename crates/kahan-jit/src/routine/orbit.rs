@@ -37,7 +37,6 @@ impl<T: Float> Orbit<T> {
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         let [states, constants, steps, last_state, _] = GeneralRegister::ARGUMENTS;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
-        // Carried states are read from one array, and written to another array or back.
         let last = |assembler: &mut Assembler, place| match place {
             ValueLocation::State(i) => assembler.form().entry(last_state, i),
             _ => unreachable!("only states are written at the end"),

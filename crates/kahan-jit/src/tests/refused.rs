@@ -148,8 +148,7 @@ fn more_numbers_at_once_than_the_stack_holds_are_refused() {
     }
 }
 
-/// Runs this test again in a process that must die. The code touches the pages of the stack in
-/// order, and stops at the first inaccessible page.
+/// Runs this test again in a process that must die at the first inaccessible page of the stack.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_stack_that_is_too_small_stops_the_process() {

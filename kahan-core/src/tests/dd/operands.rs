@@ -56,8 +56,7 @@ impl Operands {
         if exponent - gap < -1022 { Dd::from(high) } else { Dd::new(high, self.float(exponent - gap)) }
     }
 
-    /// Returns a number whose exponent is within `reach` of `exponent`, the exponent of x. The sum
-    /// of both numbers often cancels partly.
+    /// Returns a number of an exponent within `reach` of `exponent`, the exponent of x.
     pub(super) fn partner(&mut self, x: Dd, exponent: i32, reach: i32) -> Dd {
         let nudge = self.between(-3, 3) as f64;
         let unit = f64::EPSILON * x.high();

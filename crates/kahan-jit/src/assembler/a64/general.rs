@@ -2,8 +2,7 @@
 
 use super::Assembler;
 
-/// A general-purpose register, by number. In addresses, number 31 is the stack pointer, otherwise
-/// zero.
+/// A general-purpose register, by number. Number 31 is the stack pointer in addresses, else zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct GeneralRegister(u8);
 
@@ -86,8 +85,8 @@ impl Assembler {
         self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
     }
 
-    /// Loads or stores `size` bytes at base + offset. The first of `words` encodes a 12-bit offset,
-    /// in units of `size` bytes. The second encodes a register that holds the offset.
+    /// Loads or stores `size` bytes at base + offset. Of `words`, the first encodes a 12-bit offset
+    /// in units of `size` bytes, and the second a register that holds the offset.
     pub(super) fn access(
         &mut self,
         words: [u32; 2],
@@ -125,8 +124,7 @@ impl Assembler {
         self.word(0x9000_0000 | GeneralRegister::BEYOND.number());
     }
 
-    /// Writes stp x29, x30 and mov x29, sp, which save the frame record on `bytes` bytes of the
-    /// stack.
+    /// Writes stp x29, x30 and mov x29, sp, which save the frame record in `bytes` stack bytes.
     pub(super) fn begin_frame(&mut self, bytes: u32) {
         let offset = (bytes / 8).wrapping_neg() & 0x7f;
         self.word(0xa980_7bfd | offset << 15);
@@ -198,8 +196,8 @@ impl Assembler {
         set_target(&mut self.bytes, place, to);
     }
 
-    /// Writes a conditional jump, and returns the position of the instruction that holds its
-    /// target. In long code the opposite condition jumps over an unconditional branch.
+    /// Writes a conditional jump, and returns its position. In long code the opposite condition
+    /// jumps over an unconditional branch.
     fn jump(&mut self, condition: u32, opposite: u32) -> usize {
         const OVER_THE_NEXT: u32 = 2 << 5;
 
@@ -224,10 +222,8 @@ fn change(code: &mut [u8], place: usize, change: impl FnOnce(u32) -> u32) {
     *word = change(u32::from_le_bytes(*word)).to_le_bytes();
 }
 
-/// Writes the distance from `place` to the target into the branch instruction at `place`.
-///
-/// # Panics
-/// If the distance does not fit, which the limits on code length prevent.
+/// Writes the distance from `place` to the target into the branch instruction at `place`. Panics if
+/// the distance does not fit, which the limits on code length prevent.
 pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     change(code, place, |word| {
         let (bits, shift) = if word & 0xfc00_0000 == ALWAYS { (26, 0) } else { (19, 5) };
@@ -237,8 +233,7 @@ pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     });
 }
 
-/// Patches adrp with the distance in pages, and the load with the offset within the page. Code
-/// begins at a page boundary.
+/// Patches adrp with the distance in pages, and the load with the offset within the page.
 pub(super) fn refer_by_page(code: &mut [u8], place: usize, target: usize, size: usize) {
     let pages = ((target >> 12) as i64 - (place >> 12) as i64) as u32;
     change(code, place, |word| word | (pages & 3) << 29 | (pages >> 2 & 0x7_ffff) << 5);

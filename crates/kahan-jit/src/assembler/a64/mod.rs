@@ -135,8 +135,7 @@ impl Assembler {
         self.three(words, to, a, b);
     }
 
-    /// Computes to = a if a > b (or a < b), else b. The instructions fmax and fmin would treat NaN
-    /// and ±0 differently.
+    /// Computes to = a if a > b (or a < b), else b, also for NaN and ±0.
     fn choose(&mut self, greater: bool, to: Vector, a: Vector, b: Vector) {
         const GREATER: u32 = 12;
         const LESS: u32 = 4;
@@ -220,8 +219,7 @@ impl Assembler {
     }
 
     fn transfer(&mut self, is_load: bool, register: Vector, place: Memory) {
-        // Each row encodes three offsets: an immediate, a register, and a distance from the program
-        // counter.
+        // The offset is an immediate, a register, or a distance from the program counter.
         let words = match (self.form.width, self.form.element) {
             (Width::Scalar, Element::Single) => [0xbd00_0000, 0xbc20_6800, 0x1c00_0000],
             (Width::Scalar, Element::Double) => [0xfd00_0000, 0xfc20_6800, 0x5c00_0000],

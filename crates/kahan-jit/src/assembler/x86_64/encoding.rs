@@ -1,8 +1,7 @@
 //! The encoding of vector instructions: each has a prefix, an opcode and operands.
 //!
 //! VEX prefixes reach 16 registers of up to 256 bits, and EVEX prefixes 32 registers of up to 512
-//! bits. The operand bytes hold three bits of a register number. The prefix holds the other bits,
-//! inverted.
+//! bits. A prefix holds some bits of register numbers, inverted.
 
 use super::{Assembler, Element, GeneralRegister, Memory, OperandForm, Source, Vector, Width};
 
@@ -67,8 +66,7 @@ fn inverted(number: u8, k: u8) -> u8 {
 
 impl Assembler {
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // The high bits of the last operand: bit 4 of a register or bit 3 of an index, then bit 3
-        // of a register or of a base.
+        // The high bits of a register, or of an index and a base.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -102,11 +100,9 @@ impl Assembler {
         self.operands(to.0, b, !is_evex);
     }
 
-    /// Writes ModRM, SIB and offset. In EVEX offsets take four bytes, because EVEX scales 8-bit
-    /// offsets.
+    /// Writes ModRM, SIB and offset. EVEX scales 8-bit offsets; therefore all offsets take 4 bytes.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
-        /// Codes of ModRM for the base: one announces a SIB byte, one is relative to the program
-        /// counter.
+        /// Codes of ModRM for the base: a SIB byte follows, or the base is the program counter.
         const MORE: u8 = 4;
         const BEHIND_THE_CODE: u8 = 5;
 

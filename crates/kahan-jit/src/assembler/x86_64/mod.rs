@@ -76,8 +76,7 @@ impl Assembler {
         self.ret();
     }
 
-    /// Computes to = a ∘ b. A scalar sign flip changes other bits too, because xor reads at least
-    /// 16 bytes.
+    /// Computes to = a ∘ b. A scalar sign flip also changes the upper lanes.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,
@@ -145,8 +144,7 @@ impl Assembler {
         const BREAKPOINT: u8 = 0xcc;
 
         self.pool.append_to(self.bytes, BREAKPOINT, |code, place, target| {
-            // The distance counts from the end of the 4-byte offset. Code and pool are shorter than
-            // 2³¹ bytes.
+            // The distance counts from the end of the 4-byte offset.
             let distance = target as i32 - (place as i32 + 4);
             code[place..place + 4].copy_from_slice(&distance.to_le_bytes());
         })

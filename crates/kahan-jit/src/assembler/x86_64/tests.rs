@@ -305,7 +305,6 @@ fn all_operations(form: OperandForm, registers: u8, has_fused: bool) -> Vec<Inst
     all(&assembler.bytes)
 }
 
-/// An instruction set is available if the processor has every extension that its code uses.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn a_set_of_instructions_is_available_where_all_of_them_are() {

@@ -17,8 +17,7 @@ pub(crate) enum Edge {
     End,
 }
 
-/// Numbers between two inaccessible pages, initially 0. The slice may be longer than the physical
-/// memory.
+/// Numbers between two inaccessible pages, initially 0.
 pub(crate) struct Guarded<T> {
     pages: NonNull<c_void>,
     bytes: usize,

@@ -197,8 +197,7 @@ impl Case {
         }
     }
 
-    /// Returns `count` numbers. In very long arrays only the first and the last numbers are
-    /// nonzero.
+    /// Returns `count` numbers. In very long arrays, inner numbers are zero.
     fn numbers<T: num_traits::Float>(&self, draw: &mut Draw, count: usize) -> Guarded<T> {
         const FEW: usize = 1000;
 
