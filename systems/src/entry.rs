@@ -60,8 +60,7 @@ macro_rules! row_of_the_tables {
 pub(crate) use row_of_the_tables;
 
 impl Entry {
-    /// Makes an entry without parameters, closed solution and claims. The usual name is that of the
-    /// type.
+    /// Makes an entry without parameters, closed solution and claims, named like the type.
     pub(crate) const fn new(
         command: &'static str,
         type_name: &'static str,
@@ -101,8 +100,7 @@ impl Entry {
 }
 
 /// Returns the byte range of the first block in a Rust source file, or `None` if no block is
-/// complete. The block begins after `kahan! {` at the beginning of a line, and ends before the
-/// matching brace.
+/// complete. The block is the text between `kahan! {` and the matching brace.
 #[must_use]
 pub fn block_range(file: &str) -> Option<Range<usize>> {
     const OPENING: &str = "kahan! {";

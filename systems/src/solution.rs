@@ -40,8 +40,7 @@ pub(crate) fn point<const N: usize>(coordinates: &[Float256]) -> Option<SVector<
 /// The error that no solution of the closed form passes through a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfDomain {
-    /// The condition that the point violates, as a formula in its coordinates, ε and the
-    /// parameters.
+    /// The condition that the point violates, as a formula.
     pub condition: &'static str,
 }
 

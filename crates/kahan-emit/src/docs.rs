@@ -174,7 +174,7 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 }
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// The length of the longest formula that is shown here, and not only at `integrals`.
+    /// Longer formulas are shown only in the documentation of `integrals`.
     const SHORT: usize = 120;
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());

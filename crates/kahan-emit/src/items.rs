@@ -63,8 +63,8 @@ impl<'a> Type<'a> {
         self.has_parameters().then(|| quote!(<#scalar>))
     }
 
-    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas` gets
-    /// whether the user's documentation comes first.
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. The argument of
+    /// `formulas` says whether the user's documentation comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();

@@ -60,7 +60,7 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
 }
 
-/// Adds to an error about the search budget that the command has a larger budget.
+/// Adds a note to an error about the search budget: the command has a larger budget.
 fn name_command(mistake: &mut Diagnostic, place: Span) {
     if mistake.kind == Kind::TooLarge && mistake.span == Span::token(0) {
         mistake.span = place;

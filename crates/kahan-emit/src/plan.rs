@@ -91,7 +91,7 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step, which returns `None` at a pole. `constants` are their names.
+/// Emits the kernel of a step, which returns `None` at a pole. `constants` names the constants.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,

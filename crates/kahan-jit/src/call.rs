@@ -105,8 +105,8 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). With `own`, each register has its
-    /// constants.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). With `own`, each register of trajectories
+    /// has its own constants.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
         /// The table size for nearly every field. Clearing a larger table would take longer.
         const FEW: usize = 32;

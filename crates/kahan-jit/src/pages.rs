@@ -35,7 +35,7 @@ impl Pages {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// Returns the address of the first byte, even if another thread wrote the code.
+    /// Returns the address of the first byte. Another thread may have written the code.
     #[inline]
     pub(crate) fn entry(&self) -> *const u8 {
         #[cfg(all(target_arch = "aarch64", feature = "pages"))]

@@ -21,7 +21,7 @@ pub trait ReciprocalFlow<T>: Sized {
 /// A trajectory of the system S, with x = 1/T and T = t + α.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReciprocalTrajectory<S, T> {
-    /// The time shift α = 1/x₀, where x₀ is x at t = 0.
+    /// The constant α = 1/x₀ in T = t + α, where x₀ is x at t = 0.
     pub alpha: T,
     /// The constant β of [`ReciprocalFlow::beta`].
     pub beta: T,
@@ -44,8 +44,7 @@ impl<S: ReciprocalFlow<T>, T: Scalar> ReciprocalTrajectory<S, T> {
     }
 
     /// Returns the point at time t. At the pole t = −α, exact scalars panic and floats become
-    /// infinite or NaN. Beyond the pole, rational formulas continue analytically, but logarithms
-    /// are undefined.
+    /// infinite or NaN. Beyond the pole, logarithms are undefined.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         S::point(self, t.clone() + self.alpha.clone())
     }
@@ -65,7 +64,7 @@ pub trait ReciprocalMap<T>: Sized {
 pub struct ReciprocalOrbit<S, T> {
     /// Half the time step, ε.
     pub eps: T,
-    /// The value τ = 1/(2εx₀) of N at n = 0, where x₀ is x at n = 0.
+    /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
     /// The value β of the integral Ĥ.
     pub beta: T,

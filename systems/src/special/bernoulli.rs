@@ -36,8 +36,8 @@ mod tests {
         assert_eq!(numbers[0], ratio(1, 6));
         assert_eq!(numbers[1], -ratio(1, 30));
         assert_eq!(numbers[5], -ratio(691, 2730));
-        // By von Staudt and Clausen, the denominator of B₂₀ is the product of the primes p for
-        // which p − 1 divides 20.
+        // By von Staudt and Clausen, the denominator is the product of the primes p with p − 1
+        // | 20.
         assert_eq!(numbers[9].denom(), &(2 * 3 * 5 * 11).into());
     }
 }

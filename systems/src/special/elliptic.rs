@@ -29,9 +29,8 @@ impl<T: Real> Modulus<T> {
         Self { k: self.complement, complement: self.k }
     }
 
-    /// Returns the complete integral K(k) = F(π/2, k) = π/(2 agm(1, k′)), which is a quarter of
-    /// sn's period. The result is NaN for k = 1. In `f64` the error is at most 4 ulp, even near k
-    /// = 1.
+    /// Returns the complete integral K(k) = F(π/2, k) = π/(2 agm(1, k′)), a quarter of sn's period,
+    /// or NaN for k = 1. In `f64` the error is at most 4 ulp, even near k = 1.
     ///
     /// ```
     /// use kahan_systems::special::Modulus;
@@ -108,8 +107,7 @@ pub fn elliptic_k<T: Real>(k: &T) -> T {
 
 /// Returns the arithmetic-geometric mean of a and b, which must be positive.
 fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
-    // Each pass squares the relative difference of a and b. Below √ε, with ε the precision, the
-    // next mean is exact up to rounding.
+    // Each pass squares the relative difference of a and b.
     for _ in 0..64 {
         let done = ((a - b) / a).square() < T::epsilon();
         let mean = (a + b) * T::half();
@@ -122,9 +120,8 @@ fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
     a
 }
 
-/// Returns Carlson's integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)). The arguments must be
-/// nonnegative, and at most one may be zero. The duplication theorem makes the arguments nearly
-/// equal.
+/// Returns Carlson's integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)), by the duplication
+/// theorem. The arguments must be nonnegative, and at most one may be zero.
 fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);

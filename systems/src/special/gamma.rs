@@ -38,8 +38,7 @@ pub(super) fn is_pole<T: Real>(x: &T) -> bool {
     !x.is_positive() && x.floor() == *x
 }
 
-/// Returns the least argument x at which Stirling's series reaches full precision. The smallest
-/// term of the series is about e^(−2πx).
+/// Returns the least argument x at which Stirling's series reaches full precision.
 pub(super) fn asymptotic_from<T: Real>() -> i64 {
     5 + (T::DIGITS as i64 * 45) / 100
 }

@@ -80,8 +80,7 @@ pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     two * (*sigma / large + series + *sigma * descent)
 }
 
-/// Returns whether the reflection is used for this negative w. For −|σ| − 1/2 ≤ w < 0, the
-/// reflection might multiply a pole by a zero.
+/// Returns whether w is so negative that the reflection is used.
 fn is_reflected<T: Real>(w: &T, sigma: &T) -> bool {
     *w < -(sigma.abs() + T::half())
 }

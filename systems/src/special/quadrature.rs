@@ -7,8 +7,7 @@ use super::Real;
 pub struct Integral<T> {
     /// The value of the integral.
     pub value: T,
-    /// The difference of the last two sums. The value is usually much more accurate than this
-    /// difference, unless the integrand is not smooth.
+    /// The difference of the last two sums, usually much larger than the error of the value.
     pub change: T,
 }
 
@@ -69,8 +68,7 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     Integral { value: estimate * scale, change: change * scale.abs() }
 }
 
-/// Returns the sum of pair(j·step) over j = first, first + stride, …, while j·step is at most
-/// `reach`.
+/// Returns the sum of pair(j·step) over j = first, first + stride, … with j·step ≤ `reach`.
 fn sum_of<T: Real>(first: i64, stride: usize, step: f64, reach: f64, pair: &impl Fn(&T) -> T) -> T {
     let last = (reach / step).floor() as i64;
     (first..=last).step_by(stride).fold(T::zero(), |sum, j| sum + pair(&T::from(j as f64 * step)))

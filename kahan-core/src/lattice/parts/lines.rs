@@ -36,7 +36,7 @@ pub struct Gathered<'a, T, L, const C: usize> {
     pub level: Level,
     /// The index of the next site among the gathered sites.
     pub site: usize,
-    /// The sites whose equations a family read at run time has already computed.
+    /// The sites whose equations are already computed, for families read at run time.
     pub computed: Range<usize>,
 }
 

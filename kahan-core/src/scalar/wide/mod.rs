@@ -2,8 +2,8 @@
 //!
 //! A number is a [row](rows) of at most D nonzero base-2⁶⁴ digits over a 64-bit denominator. The
 //! *radius* bounds the digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats and divisions
-//! by zero are *undefined*, and so are all results from them. Digits are sparse because D(x,ε) of
-//! six variables has terms from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
+//! by zero are *undefined*, and so are all results from them. Digits are sparse because a
+//! determinant of six variables has terms from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
 
 mod arithmetic;
 mod convert;

@@ -20,9 +20,9 @@ use crate::special::Real;
 pub struct Solution<T> {
     /// Half the time step, ε.
     pub eps: T,
-    /// The constant δ. A step increases T by 2δ.
+    /// The constant δ in T = 2δn + κ.
     pub delta: T,
-    /// The value κ of T at n = 0.
+    /// The constant κ in T = 2δn + κ.
     pub kappa: T,
     /// The angle θ of the vector (x, y) or of its negative.
     pub theta: T,
@@ -32,8 +32,7 @@ pub struct Solution<T> {
 
 impl<T: Real> Solution<T> {
     /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if x² + y² = 0 (a fixed point)
-    /// or if ε²z² = 1. For εz = 1 the step would lead to the fixed point (0, 0, 1/ε); for εz = −1,
-    /// det A = 0.
+    /// or if ε²z² = 1 (det A = 0, or the next point is fixed).
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
@@ -72,8 +71,7 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps; n may be negative. At a pole, where T = 0 on the outer
-    /// branch, the point is not finite.
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, theta, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

@@ -15,7 +15,7 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 /// other trajectories. If xy > 0, the integrals are H = λ²(1 − k²)/4 and K = λ²(1 + k²)/4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// The time shift α.
+    /// The time shift α in T = t + α.
     pub alpha: T,
     /// The rate λ > 0, for which λ² = (|x| + |y|)² + z².
     pub lambda: T,
@@ -26,8 +26,7 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if x = y = 0, because such a point is
-    /// fixed.
+    /// Returns the trajectory through `point` at t = 0. Fails at the fixed points x = y = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
         let (NormalForm { sum, difference, height, product }, symmetry) = NormalForm::same_signs(point);
@@ -36,8 +35,7 @@ impl<T: Real> FlowSolution<T> {
         let lambda = large.sqrt();
         // With s = x + y and d = x − y, k² = (d² + z²)/(s² + z²) and 1 − k² = 4xy/(s² + z²).
         let modulus = Modulus::from_squares(&(small / large), &(T::from_int(4) * product / large));
-        // With d = x − y, (sn, cn) = (z, d)/(kλ) at t = 0. If k = 0, the point with x = y and z = 0
-        // is fixed.
+        // With d = x − y, (sn, cn) = (z, d)/(kλ) at t = 0. If k = 0, the point is fixed.
         let alpha = if small.is_zero() {
             T::zero()
         } else {

@@ -6,8 +6,7 @@ use kahan_core::vector;
 
 use crate::special::Real;
 
-/// A point as s = x + y, d = x − y, z and |xy|, after a [`Symmetry`] has changed the signs of x and
-/// y.
+/// A point as s = x + y, d = x − y, z and |xy|, after a [`Symmetry`] has been applied.
 pub(super) struct NormalForm<T> {
     pub(super) sum: T,
     pub(super) difference: T,
@@ -27,8 +26,7 @@ pub struct Symmetry {
 }
 
 impl Symmetry {
-    /// Returns the image under this symmetry of the point with x + y = `sum`, x − y = `difference`
-    /// and z = `height`.
+    /// Returns the image of the point with x + y = `sum`, x − y = `difference` and z = `height`.
     pub(super) fn point<T: Real>(&self, sum: T, difference: T, height: T) -> SVector<T, 3> {
         let x = (sum + difference) * T::half();
         let y = (sum - difference) * T::half();
@@ -51,9 +49,8 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// Maps a point to one whose coordinates x and y have the signs that `wanted` returns for z,
-    /// where `true` means negative. If x is zero, x and y are exchanged, because at modulus 1 the
-    /// curve contains no point with x = 0.
+    /// Maps a point to one whose x and y are negative if `wanted` returns `true` for z. If x is
+    /// zero, x and y are exchanged, because at modulus 1 the curve contains no point with x = 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();

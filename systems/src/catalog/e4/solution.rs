@@ -27,10 +27,9 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 pub struct Solution<T> {
     /// Half the time step, ε.
     pub eps: T,
-    /// The constant δ, which has the sign of ε. A step increases v by 2δ, and |δ| is below the
-    /// quarter period K(k).
+    /// The constant δ in v = 2δn + κ, which has the sign of ε, with |δ| below the quarter period.
     pub delta: T,
-    /// The value κ of v at n = 0.
+    /// The constant κ in v = 2δn + κ.
     pub kappa: T,
     /// The modulus k, where 0 ≤ k ≤ 1.
     pub modulus: Modulus<T>,
@@ -44,8 +43,7 @@ pub struct Solution<T> {
 
 impl<T: Real> Solution<T> {
     /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if x² + y² = 0 (a fixed point)
-    /// or if ε²z² = 1. In the last case det A = 0 for one sign of ε, or the step leads to a fixed
-    /// point.
+    /// or if ε²z² = 1 (det A = 0, or the next point is fixed).
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         require(!eps.is_zero(), "eps != 0")?;
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
@@ -93,8 +91,8 @@ impl<T: Real> Solution<T> {
             cn: over(width, narrow).abs(),
             dn: over(width, wide).abs(),
         };
-        // With s = x + y, sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)) and cn κ = ε s dn δ sn
-        // κ.
+        // sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)) and cn κ = ε s dn δ sn κ for s = x +
+        // y.
         let sn = (wide / sum).sqrt() / form.height;
         let cn = *eps * form.sum * advance.dn * sn;
         let kappa = modulus.inverse(&sn, &cn);
@@ -102,8 +100,7 @@ impl<T: Real> Solution<T> {
         Self { eps: *eps, delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
     }
 
-    /// Returns the point after n steps; n may be negative. At a pole, where sn v = 0 on the outer
-    /// branch, the point is not finite.
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
         let k = modulus.k;

@@ -12,7 +12,7 @@ use crate::special::Real;
 ///   x = sλ sech λT, y = −λ tanh λT, z = s(μ cosh λT + λ sech λT).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// The time shift α.
+    /// The time shift α in T = t + α.
     pub alpha: T,
     /// The constant λ = √(x² + y²) > 0. The integral H is λ²/2.
     pub lambda: T,

@@ -21,14 +21,13 @@ use crate::special::Real;
 pub struct Solution<T> {
     /// Half the time step, ε.
     pub eps: T,
-    /// The constant δ. A step increases T by 2δ.
+    /// The constant δ in T = 2δn + κ.
     pub delta: T,
-    /// The value κ of T at n = 0.
+    /// The constant κ in T = 2δn + κ.
     pub kappa: T,
     /// The constant μ, which determines the integral K̂.
     pub mu: T,
-    /// The sign s = ±1, which on the inner branch is the sign of x. Theorem 3 has s = 1, but (x, y,
-    /// z) → (−x, y, −z) is a symmetry.
+    /// The sign s = ±1, which on the inner branch is the sign of x. Theorem 3 has s = 1.
     pub sign: T,
     /// The branch: inner if |εy| < 1, outer if |εy| > 1.
     pub branch: Branch,
@@ -58,8 +57,7 @@ impl<T: Real> Solution<T> {
             let mu = sign * (z - x) * cosine / (cosine.square() + sine_delta.square());
             Self { delta: sine_delta.asinh(), kappa, mu, sign, branch: Branch::Inner, eps }
         } else {
-            // sinh²δ = (1 + ε²x²)/(ε²y² − 1), cosh²δ = ε²(x² + y²)/(ε²y² − 1), sinh²κ = (x² +
-            // y²)/(x²(ε²y² − 1))
+            // sinh²δ = (1 + ε²x²)/w, cosh²δ = ε²(x² + y²)/w, sinh²κ = (x² + y²)/(x²w), w = ε²y² − 1
             let cosine_delta_square = (eps * norm / width).square();
             let sine_kappa = -(y.sign() * norm / (x.abs() * width));
             let sign = (x * eps * sine_kappa).sign();
@@ -75,8 +73,7 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps; n may be negative. At a pole, where T = 0 on the outer
-    /// branch, the point is not finite.
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, mu, sign, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

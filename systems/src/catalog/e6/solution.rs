@@ -38,8 +38,8 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails for multiples of (1, 0, 1), which are
-    /// fixed points.
+    /// Returns the trajectory through `point` at t = 0. Fails at fixed points, multiples of (1, 0,
+    /// 1).
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         Ok(Self { top: euler::FlowSolution::through(&coefficients(), &to_top(point))? })
     }

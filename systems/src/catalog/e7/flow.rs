@@ -40,7 +40,6 @@ impl<T: Real> FlowSolution<T> {
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { xi, alpha, beta, gamma } = self;
         let time = *t + *alpha;
-        // The variable `size` is negative beyond the pole, where most powers are undefined.
         let size = time * alpha.sign();
         let y = *beta * size.power_real(&-*xi);
         let x = T::one() / time;

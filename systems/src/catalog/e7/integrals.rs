@@ -12,8 +12,7 @@ fn level<T: Real>(x: &T, eps: &T) -> T {
     T::one() / (T::from_int(2) * *eps * *x)
 }
 
-/// Returns σ = (ξ − 1)/2, with which Γ(u + ξ/2)/Γ(u + 1 − ξ/2) is a centred ratio of Gamma
-/// functions.
+/// Returns σ = (ξ − 1)/2, for which Γ(u + ξ/2)/Γ(u + 1 − ξ/2) = Γ(u + ½ + σ)/Γ(u + ½ − σ).
 fn sigma<T: Real>(xi: &T) -> T {
     (*xi - T::one()) * T::half()
 }

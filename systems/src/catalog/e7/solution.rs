@@ -21,7 +21,7 @@ pub struct Solution<T> {
     pub eps: T,
     /// The parameter ξ of the system.
     pub xi: T,
-    /// The value τ = 1/(2εx₀) of N at n = 0, where x₀ is x at n = 0.
+    /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
     /// The constant β = 2εy₀, where y₀ is y at n = 0.
     pub beta: T,
@@ -52,7 +52,6 @@ impl<T: Real> Solution<T> {
     }
 
     /// Returns Y/Y₀ for Y = y/x and its value Y₀ at n = 0, as a product of two ratios of Γ.
-    /// `shifted` is N = n + τ.
     fn gamma_quotient(&self, shifted: &T) -> T {
         let sigma = (self.xi - T::one()) * T::half();
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)

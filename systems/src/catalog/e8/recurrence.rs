@@ -13,7 +13,7 @@ use crate::solution::{OutOfDomain, integer, require};
 pub struct Recurrence<T> {
     /// Half the time step, ε.
     pub eps: T,
-    /// The value τ = 1/(2εx₀) of N at n = 0, where x₀ is x at n = 0.
+    /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
     /// The value Y₀ = y₀/x₀ at n = 0.
     pub slope_y: T,

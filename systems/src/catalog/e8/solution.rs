@@ -18,7 +18,7 @@ use crate::special::{Real, digamma};
 pub struct Solution<T> {
     /// Half the time step, ε.
     pub eps: T,
-    /// The value τ = 1/(2εx₀) of N at n = 0, where x₀ is x at n = 0.
+    /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
     /// The constant β = 2εy₀, where y₀ is y at n = 0.
     pub beta: T,

@@ -7,8 +7,7 @@ use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 use crate::{e3, e4};
 
-/// A trajectory of E9 in closed form. For other values of ξ, [`Quadrature`](super::Quadrature)
-/// gives trajectories.
+/// A trajectory of E9 in closed form; see [`Quadrature`](super::Quadrature) for other ξ.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlowSolution<T> {
     /// The case ξ = 0 (erratum B9): y is constant, and x = λ sech λT, z = λ tanh λT as for E3.
@@ -39,7 +38,7 @@ pub struct Elementary<T> {
     pub k: T,
     /// The constant b > 0, for which k²b² = c² + 1/k².
     pub b: T,
-    /// The constant c, which is the value of the integral H₉ = y x^(−2).
+    /// The value c of the integral H₉ = y x^(−2).
     pub c: T,
     /// The phase φ at t = 0.
     pub phase: T,
@@ -89,8 +88,7 @@ impl<T: Real> FlowSolution<T> {
 }
 
 impl<T: Real> Elementary<T> {
-    /// Returns the trajectory for ξ = 2 through `point` at t = 0. Fails in the invariant plane x
-    /// = 0.
+    /// Returns the trajectory for ξ = 2 through `point` at t = 0. Fails if x = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;

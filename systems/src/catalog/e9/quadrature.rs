@@ -61,8 +61,8 @@ impl<T: Real> Quadrature<T> {
         let c = y * x.power_real(&-*xi);
         let turning = TurningFunction { xi, radius: &radius, c: &c };
         if xi.is_positive() {
-            // For x > 0, z² decreases as x grows; therefore its zero lies between the point's x and
-            // the radius r.
+            // For x > 0, z² decreases as x grows, and has a zero between the point's x and the
+            // radius.
             let largest = turning.zero(x, radius);
             return Ok(Self { xi: *xi, largest, smallest: None, radius, c });
         }
@@ -84,9 +84,8 @@ impl<T: Real> Quadrature<T> {
         vector![*x, y, turning.height_square(x).sqrt()]
     }
 
-    /// Returns the time from the turning point with the largest x to this x, for z > 0, where x
-    /// decreases. The result is NaN beyond a turning point, and becomes infinite as x → 0 for
-    /// ξ > 0.
+    /// Returns the time from the turning point with the largest x to this x, for z > 0. The result
+    /// is NaN beyond a turning point, and becomes infinite as x → 0 for ξ > 0.
     ///
     /// Near a fixed point for ξ < 0, z² is small on the whole trajectory. The relative error is
     /// then about the rounding error of r² divided by z².

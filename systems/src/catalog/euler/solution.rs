@@ -1,7 +1,6 @@
 //! Orbits and trajectories of the Euler top, derived from those of E4. In the coordinates (x − y,
 //! x + y, z), E4 is the Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of
-//! variables. Therefore permuting and scaling the axes maps solutions of one top to solutions of
-//! another.
+//! variables, such as permuting and scaling the axes.
 
 use kahan_core::nalgebra::SVector;
 

@@ -42,8 +42,7 @@ pub struct Float256(Option<Number>);
 #[derive(Clone, Copy, PartialEq)]
 struct Number {
     sign: Sign,
-    /// The 64-bit words of the significand, lowest first. The library's results may be a few bits
-    /// longer than `BITS`.
+    /// The 64-bit words of the significand, lowest first.
     words: [Word; BITS / Word::BITS as usize + 1],
     exponent: isize,
 }
