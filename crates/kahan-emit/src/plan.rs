@@ -5,8 +5,8 @@
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! Operations keep the order of the plan. A value with a `let`, or a state of a kernel, is moved at
-//! its last use and cloned before. Other inputs and constants are always cloned.
+//! Operations keep the order of the plan. A value with a `let`, or a state of a kernel, is cloned
+//! at each use except the last. Other inputs and constants are always cloned.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};

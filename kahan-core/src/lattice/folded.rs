@@ -106,8 +106,8 @@ impl<T: Scalar> Folded<T> {
         }
     }
 
-    /// Solves the system. `write` adds the entries of a row to zeros, and may be called twice for a
-    /// row. Returns `None` if an exact scalar has no nonzero pivot.
+    /// Solves the system. `write` fills a row of zeros, and may be called twice for a row. Returns
+    /// `None` if an exact scalar has no nonzero pivot.
     pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;

@@ -11,7 +11,7 @@ use super::{Dd, extremes, moderate};
 /// Sums and products below this bound cause no overflow in later additions.
 const ROOM: f64 = power_of_two(1022);
 
-/// Quotients of operands between these bounds lose no bits.
+/// Quotients of operands between `SMALL` and `LARGE` lose no bits.
 const SMALL: f64 = power_of_two(-450);
 const LARGE: f64 = power_of_two(450);
 

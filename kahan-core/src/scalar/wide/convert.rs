@@ -105,8 +105,8 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
-    /// Returns n and e with |numerator| ≈ n·2^e and at least 64 bits in n. If digits are omitted, n
-    /// is odd, and rounding n to fewer bits rounds the whole numerator.
+    /// Returns n and e with |numerator| ≈ n·2^e, where n has at least 64 bits. Rounding n to fewer
+    /// bits gives the correctly rounded numerator.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

@@ -32,7 +32,7 @@ pub(crate) struct Assembler {
     bytes: Vec<u8>,
     form: OperandForm,
     pool: Pool,
-    /// Whether a single instruction may be too short to reach a jump target or the pool.
+    /// Whether a jump target or the pool may be too far for a single instruction.
     is_long: bool,
 }
 
@@ -245,7 +245,7 @@ impl Assembler {
         }
     }
 
-    /// Rounds to the nearest single-precision number, which keeps the element type of the form.
+    /// Rounds to the nearest single-precision number, and keeps the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);

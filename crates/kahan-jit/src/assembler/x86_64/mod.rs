@@ -117,7 +117,7 @@ impl Assembler {
         self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
     }
 
-    /// Rounds to the nearest single-precision number, which keeps the element type of the form.
+    /// Rounds to the nearest single-precision number, and keeps the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);

@@ -46,7 +46,7 @@ pub(crate) struct Case {
     is_double: bool,
     edge: Edge,
     seed: u64,
-    /// Whether the compiler has no reason to refuse the program.
+    /// Whether the compiler must accept the program.
     is_ordinary: bool,
 }
 
@@ -110,7 +110,7 @@ impl Source<'_> {
         }
     }
 
-    /// Returns an arbitrary program, and whether the compiler has no reason to refuse it.
+    /// Returns an arbitrary program, and whether the compiler must accept it.
     fn program(&mut self) -> (Program, bool) {
         const MANY: usize = 25_000;
 
