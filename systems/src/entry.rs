@@ -1,6 +1,6 @@
-//! Entries of the catalog. An entry has names, the block as text, the closed solution of the flow,
-//! and the sources of the claims. The text is cut out of the system's source file, so it equals the
-//! text that the macro compiles. Nothing is parsed here except the limits of the block.
+//! Entries of the catalog: names, the block as text, the closed solution of the flow, and the
+//! sources of the claims. The text is cut out of the system's source file, and therefore equals the
+//! text that the macro compiles.
 
 use std::ops::Range;
 
@@ -30,9 +30,8 @@ pub struct Entry {
     pub title: &'static str,
     /// The contents of the source file that contains the block.
     pub(crate) file: &'static str,
-    /// For each parameter the numerator and denominator of a value that tests use. The values have
-    /// the size that is usual in the literature. Their denominators are powers of two, so floats
-    /// represent them exactly.
+    /// For each parameter the numerator and denominator of a value that tests use. The denominators
+    /// are powers of two, so that floats represent the values exactly.
     pub parameters: &'static [(i64, i64)],
     /// The closed solution of the flow, if known.
     pub flow: Option<ClosedFlow>,
@@ -43,8 +42,8 @@ pub struct Entry {
 /// The source of claims that `kahan discover` found from the equations.
 pub(crate) const FOUND: &str = "found by kahan discover";
 
-/// Makes the entry of one of the integrable systems E1 to E6, whose claims fill a row of the
-/// paper's tables. The last argument is a remark about the tensor Q.
+/// Makes the entry of one of the systems E1 to E6, whose claims fill a row of the paper's tables.
+/// The last argument is a remark about the tensor Q.
 macro_rules! row_of_the_tables {
     ($i:literal, $title:literal $(, $remark:literal)?) => {
         Entry::new(concat!("e", $i), concat!("E", $i), $title, include_str!(concat!("e", $i, ".rs")))
@@ -61,8 +60,7 @@ macro_rules! row_of_the_tables {
 pub(crate) use row_of_the_tables;
 
 impl Entry {
-    /// Makes an entry without parameters, closed solution and claims. The usual name of the system
-    /// is that of its type.
+    /// Makes an entry without parameters, closed solution and claims, named like the type.
     pub(crate) const fn new(
         command: &'static str,
         type_name: &'static str,
@@ -101,9 +99,8 @@ impl Entry {
     }
 }
 
-/// Returns the byte range of the first block in a Rust source file. The block begins after
-/// `kahan! {` at the beginning of a line, and ends before the matching brace. Returns `None` if
-/// there is no complete block.
+/// Returns the byte range of the first block in a Rust source file, or `None` if no block is
+/// complete. The block is the text between `kahan! {` and the matching brace.
 #[must_use]
 pub fn block_range(file: &str) -> Option<Range<usize>> {
     const OPENING: &str = "kahan! {";

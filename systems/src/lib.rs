@@ -1,10 +1,9 @@
 //! A catalog of quadratic fields with the structures that their Kahan maps preserve: the Euler top,
 //! Lotka–Volterra, E1 to E9 of Hone and Petrera, and further systems. Each file has a `kahan!`
 //! block with a field and its claims, which the macro proves. In blocks, ε (half the time step) is
-//! written `eps`. The crate exports the types that the macro makes, closed solutions, and an
-//! [`Entry`](entry::Entry) for each system. [`registry`] lists the systems and explains how to add
-//! one; [`lattices`] has systems with any number of sites. The crate must know neither the `kahan`
-//! command nor the claims of the paper.
+//! written `eps`. [`registry`] lists the systems and explains how to add a system. [`lattices`] has
+//! systems with any number of sites. The crate must know neither the `kahan` command nor the claims
+//! of the paper.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -16,8 +15,7 @@ pub mod solution;
 pub mod special;
 
 pub mod catalog {
-    //! The systems of the catalog. Each module has the type, the entry and the closed solutions of
-    //! one system.
+    //! The systems of the catalog, each with its type, its entry and its closed solutions.
 
     macro_rules! modules {
         ($($group:ident {

@@ -7,16 +7,15 @@
 //! 2. Add a line to [`with_catalog!`](crate::with_catalog), for example `toda::Toda { a } in 4;`
 //!    for a system with four variables.
 //!
-//! The command, the atlas, the completions and the tests read the registry. A macro declares the
-//! modules, so `cargo fmt` skips their files. The command `rustfmt systems/src/catalog/*.rs`
-//! formats them, and `.ci/run` checks that they are formatted.
+//! The command, the atlas, the completions and the tests read the registry. `cargo fmt` skips the
+//! catalog; `rustfmt systems/src/catalog/*.rs` formats it.
 
 use crate::catalog::*;
 use crate::entry::Entry;
 
-/// Calls a macro with the catalog: `paper { … } further { … }`. Each system has one line, in order
-/// of display. A line has the module, the type with its parameters, if any, and the number of
-/// variables. The systems in `paper` are those of Hone and Petrera.
+/// Calls a macro with the catalog: `paper { … } further { … }`, where `paper` has the systems of
+/// Hone and Petrera. Each system has one line with the module, the type with its parameters, if
+/// any, and the number of variables.
 ///
 /// ```
 /// use kahan_systems::with_catalog;
@@ -81,7 +80,7 @@ pub fn all() -> impl Iterator<Item = &'static Entry> {
     SYSTEMS.iter().chain(FURTHER)
 }
 
-/// Finds a system by its command name or its type name. Case is ignored.
+/// Finds a system by its command name or its type name, in any case.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
     all().find(|entry| name.eq_ignore_ascii_case(entry.command) || name.eq_ignore_ascii_case(entry.type_name))

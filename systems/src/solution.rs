@@ -1,11 +1,10 @@
 //! Definitions that the closed solutions share.
 //!
-//! The module of a system with a closed solution has two types. A `Solution` is an orbit of Kahan's
-//! map; it has `Solution::through(&point, &eps)`, and `.at(n)` for any integer n. A `FlowSolution`
-//! is a trajectory; it has `FlowSolution::through(&point)` and `.at(&t)`. Parameters come first in
-//! the arguments, and `.at(0)` is the given point. Rational solutions accept every [`Scalar`],
-//! others every [`Real`](crate::special::Real). For systems that are chosen at run time,
-//! [`Entry::flow`](crate::entry::Entry::flow) returns trajectories in 256 bits.
+//! In the module of a system, `Solution` is an orbit of Kahan's map, with
+//! `Solution::through(&point, &eps)`, and `.at(n)` for any integer n. `FlowSolution` is a
+//! trajectory, with `FlowSolution::through(&point)` and `.at(&t)`. Parameters come first in the
+//! arguments, and `.at(0)` is the given point. Rational solutions accept every [`Scalar`], others
+//! every [`Real`](crate::special::Real).
 
 mod reciprocal;
 
@@ -21,8 +20,8 @@ pub use reciprocal::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalT
 /// A trajectory, as a function from the time t to the point.
 pub type Trajectory = Box<dyn Fn(&Float256) -> Vec<Float256>>;
 
-/// A function from the parameters and the point at t = 0 to a trajectory. It returns `None` if no
-/// solution of the closed form passes through the point, or if an argument has the wrong length.
+/// A function from the parameters and the point at t = 0 to a trajectory. The result is `None` if
+/// no solution of the closed form passes through the point, or if an argument has the wrong length.
 pub type ClosedFlow = fn(parameters: &[Float256], start: &[Float256]) -> Option<Trajectory>;
 
 pub(crate) fn trajectory<S: 'static, const N: usize>(
@@ -33,7 +32,7 @@ pub(crate) fn trajectory<S: 'static, const N: usize>(
     Some(Box::new(move |t| at(&solution, t).iter().copied().collect()))
 }
 
-/// Converts coordinates to a point; `None` unless there are N coordinates.
+/// Converts coordinates to a point, or returns `None` unless there are N coordinates.
 pub(crate) fn point<const N: usize>(coordinates: &[Float256]) -> Option<SVector<Float256, N>> {
     <[Float256; N]>::try_from(coordinates.to_vec()).ok().map(SVector::from)
 }
@@ -41,8 +40,7 @@ pub(crate) fn point<const N: usize>(coordinates: &[Float256]) -> Option<SVector<
 /// The error that no solution of the closed form passes through a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfDomain {
-    /// The condition that the point violates, as a formula in its coordinates, ε and the
-    /// parameters.
+    /// The condition that the point violates, as a formula.
     pub condition: &'static str,
 }
 
@@ -54,12 +52,11 @@ impl fmt::Display for OutOfDomain {
 
 impl core::error::Error for OutOfDomain {}
 
-/// A real branch of a hyperbolic or elliptic solution. An orbit stays on its branch, because it
-/// never reaches the boundary between the branches. On the boundary, det A vanishes for one sign of
-/// ε.
+/// A real branch of a hyperbolic or elliptic solution. An orbit stays on its branch. On the
+/// boundary between the branches, det A vanishes for one sign of ε.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
-    /// The bounded branch. For ε → 0 it tends to the solution of the flow.
+    /// The bounded branch, which for ε → 0 tends to the solution of the flow.
     Inner,
     /// The unbounded branch, which has poles, and signs that alternate.
     Outer,
@@ -78,7 +75,7 @@ pub(crate) fn shift_and_divisor<T: Scalar>(x: &T, eps: &T) -> Result<(T, T), Out
     Ok((T::one() / (integer::<T>(2) * scaled), divisor))
 }
 
-/// Returns 4N² − 1 = (2N − 1)(2N + 1), where N is `shifted`.
+/// Returns 4N² − 1 for N = `shifted`.
 pub(crate) fn square_less_one<T: Scalar + Copy>(shifted: T) -> T {
     let double = shifted + shifted;
     (double - T::one()) * (double + T::one())

@@ -9,8 +9,8 @@ mod catalog {
 mod lattices;
 
 mod solutions {
-    //! Special functions and closed solutions are compared with mpmath, with identities, between
-    //! two precisions, and with exact orbits.
+    //! Compares special functions and closed solutions with mpmath, with identities, between two
+    //! precisions, and with exact orbits.
 
     mod e9_quadrature;
     mod exact_orbits;

@@ -1,6 +1,5 @@
 //! Emits accessors of claims: `integrals`, one method for each integral, `density`, `bracket_NAME`
-//! and `drift_NAME`. A claim with `when` has an accessor of its own, which for a density is
-//! `density_NAME`. The solved conditions are substituted into its formula.
+//! and `drift_NAME`. A claim with `when` has an accessor of its own, for example `density_NAME`.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
@@ -18,8 +17,7 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims. If a kind of claim is missing, a marker trait is emitted, so
-/// that rustc can report this.
+/// Emits the accessors of all claims, or a marker trait that makes rustc report a missing kind.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);
@@ -46,8 +44,7 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     emitted
 }
 
-/// Expands to `pub fn NAME(&self, x, eps) -> …`. If the type has no parameters, the method itself
-/// is generic.
+/// Expands to `pub fn NAME(&self, x, eps) -> …`, which is generic for a type without parameters.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,
@@ -101,8 +98,7 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
     }
 }
 
-/// Returns the name of an integral's method. It is the integral's own name, or `integral_NAME` if
-/// that is taken.
+/// Returns the integral's own name, or `integral_NAME` if that name is taken.
 fn name_of_integral(name: &str, integrals: &[String]) -> String {
     /// Names of methods that the type or its traits already have.
     const TAKEN: &str = "embed project field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
@@ -120,8 +116,7 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
 }
 
-/// Expands to the method of a claim. The method of a density with `when` is `density_NAME`; that of
-/// an integral has the integral's name.
+/// Expands to the method of a claim. A density with `when` has the method `density_NAME`.
 fn emit_accessor(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
     let name = match claim.kind {
         ClaimKind::Integral => name_of_integral(&claim.name.text, &context.derived.integral_names),

@@ -8,8 +8,7 @@
 //! }
 //! ```
 //!
-//! The size of the code is proportional to the number of couplings, because no function holds a
-//! whole matrix.
+//! The size of the code is proportional to the number of couplings.
 
 use kahan_algebra::elimination::{Couplings, Row};
 use kahan_algebra::plan::{Plan, variables};
@@ -24,8 +23,7 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
 use super::step::emit_cost;
 
-/// Emits the type `__Coupled`. The code of [`emit_map`](super::map::emit_map) and
-/// [`emit_field`](super::field::emit_field) uses it.
+/// Emits the type `__Coupled`, which the field and the map use.
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, places] = sizes(context, couplings);
@@ -59,14 +57,13 @@ pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> Toke
     }
 }
 
-/// Returns the numbers of parameters, of entries of f′, and of entries of A that are not
-/// identically zero.
+/// Returns the numbers of parameters, of entries of f′, and of entries of A.
 pub(super) fn sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3] {
     let sizes = [parameters(context), couplings.places.len(), couplings.columns.len()];
     sizes.map(Literal::usize_unsuffixed)
 }
 
-/// Returns the number of parameters. ε counts as one if coefficients depend on it.
+/// Returns the number of parameters, including ε if coefficients depend on ε.
 fn parameters(context: &Context<'_>) -> usize {
     let field = &context.system.field;
     field.symbols.parameters.len() + usize::from(field.depends_on_eps())
@@ -83,12 +80,10 @@ pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> Token
     quote!([#(#parameters),*])
 }
 
-/// The most operations in one function. Compile time grows faster than the size of a function,
-/// above all for scalars with error bounds.
+/// The most operations in one function. Compile time grows faster than the size of a function.
 const MOST_OPERATIONS: usize = 160;
 
-/// Emits the body of a function that returns the results of a plan as an array. A long body is
-/// split into several functions.
+/// Emits the body of a function that returns the results of a plan. A long body is split.
 fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     if plan.operations.len() <= 2 * MOST_OPERATIONS {
         let (bindings, results) = emit_part(context, plan);
@@ -163,8 +158,7 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
     }
 }
 
-/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`. The elimination is unrolled in the order
-/// of its loop.
+/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`, the unrolled elimination.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, _] = sizes(context, couplings);
@@ -200,7 +194,7 @@ fn entry(place: usize) -> Ident {
     format_ident!("__a{place}")
 }
 
-/// Emits the entries of A = I − εf′. Also returns for each stored entry whether it is nonzero.
+/// Emits the entries of A = I − εf′, and returns for each stored entry whether it is nonzero.
 fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     let mut is_there = vec![false; couplings.columns.len()];
     let mut lines = TokenStream::new();
@@ -220,8 +214,7 @@ fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     (lines, is_there)
 }
 
-/// Emits the LU elimination. Multipliers replace the entries below the diagonal, and reciprocals
-/// replace the pivots.
+/// Emits the LU elimination, with multipliers below the diagonal and reciprocal pivots.
 fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     let Couplings { rows, columns, .. } = couplings;
     let mut lines = TokenStream::new();

@@ -27,7 +27,7 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
     quote!(#before #[doc = #line])
 }
 
-/// Writes the documentation of a system. If `follows`, the user's documentation comes first.
+/// Writes the documentation of a system. `follows` says that the user's documentation comes first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
         return stand_in(follows);
@@ -174,16 +174,14 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 }
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// The length of the longest formula that is shown here. The documentation of `integrals` shows
-    /// longer formulas.
+    /// Longer formulas are shown only in the documentation of `integrals`.
     const SHORT: usize = 120;
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());
     emit_lines(&[format!(" The integral `{what}`, constant along orbits; `eps` is ε, half the time step.")])
 }
 
-/// Writes the documentation of a claim's method. Integrals without `when` are documented by
-/// [`integral`].
+/// Writes the documentation of a claim's method, except for integrals without `when`.
 pub(super) fn accessor(context: &Context<'_>, claim: &Claim) -> TokenStream {
     let (kind, name) = (claim.kind, &claim.name.text);
     let (introduction, title) = match kind {

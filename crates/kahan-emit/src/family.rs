@@ -30,7 +30,7 @@ struct Context<'a> {
     line_scalar: Ident,
 }
 
-/// Emits the type of a family and its implementations. If the block has no header, a value follows.
+/// Emits the type of a family and its implementations. Without a header, a value follows.
 pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &FlatTokens) -> TokenStream {
     let this = Type::of(family.header.as_ref(), &family.parameters, &family.site_parameters, input);
     let line_scalar = format_ident!("{}", if this.name == "L" { "S" } else { "L" });
@@ -224,7 +224,6 @@ impl Context<'_> {
             .collect()
     }
 
-    /// Expands to the names and densities of the claimed sums.
     fn emit_sums(&self) -> Option<TokenStream> {
         let family = self.family;
         let count = family.sums().count();

@@ -41,8 +41,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to methods that evaluate the field at ε. Returns `None` if coefficients do not depend on
-/// ε.
+/// Expands to methods that evaluate the field at ε, or `None` if coefficients do not depend on ε.
 pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStream> {
     let derived = context.derived;
     if !context.system.field.depends_on_eps() {
@@ -67,8 +66,7 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// Returns the bodies of `field` and `field_jacobian`. The bodies are emitted plans, or calls of
-/// methods of `__Coupled`. The parameters of these methods include ε if coefficients depend on it.
+/// Returns the bodies of `field` and `field_jacobian`.
 fn emit_value_and_slope(
     context: &Context<'_>,
     derived: &Derived,

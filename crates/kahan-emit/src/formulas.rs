@@ -4,7 +4,7 @@
 //! { use __kahan::Postfix::*; &[State(0), State(1), Multiply, Done, State(0), Negate, Done] }
 //! ```
 //!
-//! If several results need an operation, it is repeated for each of them.
+//! An operation that several results need is repeated for each of them.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -23,14 +23,12 @@ pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
     quote! { { use __kahan::Postfix::*; &[#steps] } }
 }
 
-/// Returns the stack depth that an operation needs if its operands need depths a and b. The operand
-/// with the larger depth comes first.
+/// Returns the stack depth of an operation, from the depths a and b of its operands.
 fn pair(a: usize, b: usize) -> usize {
     if a == b { a + 1 } else { a.max(b) }
 }
 
-/// Returns the stack depth that each operation needs. The operand with the larger depth always
-/// comes first.
+/// Returns the stack depth that each operation needs.
 fn depths(plan: &Plan) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
@@ -98,8 +96,7 @@ impl PostfixWriter<'_> {
         self.steps.extend(quote!(#step,));
     }
 
-    /// Writes two operands, the one with the larger depth first. Returns the name of the operation
-    /// for this order.
+    /// Writes two operands, the one with the larger depth first, and returns the operation's name.
     fn two(&mut self, a: Part, b: Part, names: [&str; 2]) -> TokenStream {
         let is_exchanged = self.depth(b) > self.depth(a);
         let [first, second] = if is_exchanged { [b, a] } else { [a, b] };
@@ -127,7 +124,7 @@ impl PostfixWriter<'_> {
     }
 }
 
-/// An operand, which is a node of the plan, or the product inside a fused operation.
+/// An operand: a node of the plan, or the product inside a fused operation.
 #[derive(Clone, Copy)]
 enum Part {
     Of(Node),

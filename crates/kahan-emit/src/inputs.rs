@@ -17,8 +17,7 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
     }
 }
 
-/// Binds the inputs of a plan, as in `let [__s_x, _, __s_z] = __kahan::components(x);`. Parameters
-/// are read from `self`. ε has the name `eps`, and the second point has the name `y`.
+/// Binds the inputs of a plan, as in `let [__s_x, _, __s_z] = __kahan::components(x);`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let inputs = variables(plan);
     let mut bindings = TokenStream::new();
@@ -47,16 +46,13 @@ pub(super) fn emit_bound_parameters(
     given.filter(|(variable, _)| inputs.binary_search(variable).is_ok()).map(binds).collect()
 }
 
-/// Binds the states that a kernel reads, as in `let [__s_x, _, __s_z] = __state;`.
-///
-/// All states are read at once, because reading them on first use misleads auto-vectorisation.
+/// Binds all states at once, because reading them on first use misleads auto-vectorisation.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
 }
 
-/// Returns a pattern for the components of a point that are among `inputs`, with `_` for other
-/// components. The inputs must be sorted. Returns `None` if the pattern binds nothing.
+/// Returns a pattern that binds the components of a point that are among the sorted `inputs`.
 pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,

@@ -20,7 +20,7 @@ pub(super) fn identifier(name: &str, span: Span) -> Ident {
     }
 }
 
-/// The type that a block declares. If the block has no header, the type is anonymous.
+/// The type that a block declares, which is anonymous without a header.
 pub(super) struct Type<'a> {
     pub(super) name: Ident,
     pub(super) scalar: Ident,
@@ -63,9 +63,8 @@ impl<'a> Type<'a> {
         self.has_parameters().then(|| quote!(<#scalar>))
     }
 
-    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas`
-    /// returns the documentation. The argument of `formulas` tells whether the user's documentation
-    /// comes first.
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. The argument of
+    /// `formulas` says whether the user's documentation comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
@@ -96,9 +95,8 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// Returns the items. If the block has no header, returns a block that ends with
-    /// `Field { mu: Clone::clone(&mu) }`. The parameters in this value keep the user's tokens, so
-    /// that they resolve in the user's scope.
+    /// Returns the items. Without a header, returns a block that ends with
+    /// `Field { mu: Clone::clone(&mu) }`, in which the parameters keep the user's tokens and scope.
     pub(super) fn emit_with(&self, items: &TokenStream, input: &FlatTokens) -> TokenStream {
         if self.header.is_some() {
             return items.clone();
@@ -124,8 +122,8 @@ pub(super) const LISTS: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
 
 /// Expands to `impl E6 { pub const X: usize = 0; … }`, with the index of each state.
 ///
-/// A state gets no constant if the constant's name is already in use. Only `E7<f64>` has the
-/// constants, so that `E7::X` needs no type annotation.
+/// A state gets no constant if the name is in use. Only `E7<f64>` has the constants, so that
+/// `E7::X` needs no type annotation.
 pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
     let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();
@@ -151,8 +149,7 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     quote! { impl #this { #(#places)* } }
 }
 
-/// Expands to `impl<T> Named for E7<T> { … }`, and to the constant `pub const VARIABLES …` of the
-/// type.
+/// Expands to `impl<T> Named for E7<T> { … }`, and to the constant `VARIABLES` of the type.
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
     let (this, generics) = (context.this.path(), context.this.generics());

@@ -1,8 +1,7 @@
 //! Emits Kahan's map of a system as Rust.
 //!
-//! The input is a block of the language of `kahan!`, read by `kahan-algebra`. The output is the map
-//! as tokens for the macro, or as formatted text. This crate contains no mathematics, because plans
-//! fix every operation. A block with a header expands to
+//! `kahan-algebra` reads a block of the language of `kahan!`, and plans every operation. This crate
+//! writes the map as tokens for the macro, or as formatted text. A block with a header expands to
 //!
 //! ```text
 //! #[derive(Clone, Copy, Debug, PartialEq)] pub struct E7<T> { pub xi: T }
@@ -19,12 +18,11 @@
 //!
 //! A block without a header expands to
 //! `{ …the items of an anonymous type…; Field { mu: mu.clone() } }`. Mistakes become
-//! `compile_error!` next to a stand-in type, so that uses of the type cause no further errors.
+//! `compile_error!` next to a stand-in type, which prevents further errors.
 //!
 //! Generated code names items through `__kahan` and prefixes bindings with `__`: state `x` is
 //! `__s_x`, and parameter `mu` is `__p_mu`. Without the prefix, a constant of the user with an
-//! equal name would be taken for a pattern. Arguments have readable names, because imported
-//! functions shadow the user's constants.
+//! equal name would be taken for a pattern.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -113,8 +111,8 @@ fn read_block(input: &FlatTokens) -> ParsedBlock {
 }
 
 /// Expands the block in a file, like `include_kahan!("FILE")`. `file` is the literal, and `beside`
-/// is the source file that contains the literal. When the file changes, the compiler reads the
-/// block again.
+/// is the source file that contains the literal. The compiler reads the block again after the file
+/// has changed.
 ///
 /// Mistakes become one `compile_error!` at the literal, with a caret under each position.
 #[must_use]
@@ -179,9 +177,8 @@ fn emit(core: &TokenStream, block: ParsedBlock, input: &FlatTokens) -> TokenStre
     }
 }
 
-/// Emits the errors of a block and a stand-in that prevents further errors of rustc. If the states
-/// are known, the stand-in is a type with methods that return 0. Otherwise it is the header's type,
-/// or nothing.
+/// Emits the errors of a block, and a stand-in type whose methods return 0. If the states are
+/// unknown, the stand-in is the header's type or nothing.
 fn emit_broken(
     core: &TokenStream,
     broken: &Broken,
@@ -212,7 +209,7 @@ fn emit_broken(
     quote! { #errors #definition }
 }
 
-/// Emits the type of a system and its implementations. If the block has no header, a value follows.
+/// Emits the type of a system and its implementations. Without a header, a value follows.
 fn emit_system(
     core: &TokenStream,
     derived: &Derived,
@@ -261,8 +258,7 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
     }
 }
 
-/// Emits a `compile_error!` at the tokens of each mistake. If the block is included from a file,
-/// emits one `compile_error!` that lists all mistakes.
+/// Emits a `compile_error!` at each mistake, or one for all mistakes of an included file.
 fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     let spans = &input.spans;
     if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {
@@ -277,8 +273,7 @@ fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     diagnostics
         .iter()
         .map(|diagnostic| {
-            // Two tokens stand at the start and the end of the span; syn extends the error over
-            // both.
+            // syn extends the error over all tokens from the first to the last.
             let first = Ident::new("first", at(diagnostic.span.first));
             let last = Ident::new("last", at(diagnostic.span.last));
             syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error()

@@ -1,5 +1,4 @@
-//! Emits blocks that request a lift. The lifted field is emitted like any other field. The type
-//! also gets methods for the initial values of the new variables.
+//! Emits the fields that lifts yield, and methods for the initial values of the new variables.
 
 use kahan_algebra::arithmetic::Float64;
 use kahan_algebra::check::{Broken, Checked, StandIn};
@@ -22,12 +21,11 @@ use super::inputs::binding;
 use super::items::{emit_list, identifier};
 use super::{Context, docs};
 
-/// The budget of the search for a lift. The budget is small enough for an unoptimised macro, and
-/// equal in every build.
+/// The budget of the search for a lift, small enough for an unoptimised macro.
 const NODES: usize = 200;
 
 pub(super) struct Lifted {
-    /// The number of original states. If time occurs, the state `t` is included.
+    /// The number of original states, including the time `t` if time occurs.
     pub(super) states: usize,
     pub(super) lift: Option<Lift>,
     embedding: Embedding,
@@ -62,7 +60,7 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
 }
 
-/// Adds advice to an error about the macro's search budget: the command has a larger budget.
+/// Adds a note to an error about the search budget: the command has a larger budget.
 fn name_command(mistake: &mut Diagnostic, place: Span) {
     if mistake.kind == Kind::TooLarge && mistake.span == Span::token(0) {
         mistake.span = place;
@@ -88,7 +86,7 @@ fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Li
     (Checked::Broken(Broken { diagnostics, stand_in }), lifted)
 }
 
-/// Returns the block with lifted equations. If it has no header, it declares the original
+/// Returns the block with lifted equations. Without a header, the block declares the original
 /// parameters, because some may occur only in initial values.
 fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: Span) -> Block {
     let mut none = Diagnostics::default();
@@ -151,9 +149,8 @@ fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Tests in floats an integral whose proof failed: it may still be constant where the relations of
-/// the lift hold. Steps from points where they hold must change it by less than 1e-9 of its change
-/// elsewhere.
+/// Tests in floats whether an integral without proof is constant on the relations of the lift:
+/// steps there must change the integral by less than 1e-9 of its change elsewhere.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -207,8 +204,7 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to `embed` and `project`. The bounds are on the methods, so that errors of rustc name
-/// the scalar.
+/// Expands to `embed` and `project`. Their bounds make errors of rustc name the scalar.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));

@@ -1,5 +1,4 @@
-//! Emits `KahanMap`: the prepared step, and the closed forms of N and D if they are within the size
-//! budget.
+//! Emits `KahanMap`: the prepared step, and short closed forms of N and D.
 
 use kahan_algebra::elimination::{Couplings, MOST_EXPANDED};
 use kahan_algebra::plan::{Plan, variables};
@@ -56,7 +55,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the step of a plan, and its Jacobian by dual numbers.
+/// Emits the step of a plan. Dual numbers give the Jacobian.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {
@@ -71,7 +70,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// Emits the step by sparse elimination, and also the Jacobian of the step by sparse elimination.
+/// Emits the step and its Jacobian by sparse elimination.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;
@@ -117,8 +116,7 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the tangent map from x to its image, which has the name `y`. Returns `None` if the plans
-/// contain no form of it.
+/// Emits the tangent map from x to its image `y`, or `None` if the plans contain no such form.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.tangent_map()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
@@ -150,8 +148,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     })
 }
 
-/// Emits the closed forms of det A, (N, D) and the reduced (N, D). None of them divides by
-/// functions of the state.
+/// Emits the closed forms of det A, (N, D) and the reduced (N, D), which are polynomials.
 fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {
@@ -169,8 +166,7 @@ fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     quote! { #det_matrix #rational_map #reduced_map }
 }
 
-/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`, which returns the numerators
-/// and the denominator.
+/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`, which returns (N, D).
 fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream {
     let (bindings, mut numerators) = emit_body(context, plan);
     let denominator = numerators.pop();

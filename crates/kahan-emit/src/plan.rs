@@ -5,9 +5,8 @@
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! Operations keep the order of the plan. A value with a `let`, or a state of a kernel, is moved at
-//! its last use and cloned at earlier uses. Other inputs and constants are borrowed and always
-//! cloned.
+//! Operations keep the order of the plan. A value with a `let`, or a state of a kernel, is cloned
+//! at each use except the last. Other inputs and constants are always cloned.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
@@ -19,12 +18,10 @@ use super::inputs::binding;
 use super::names;
 use super::number::emit_constant;
 
-/// The nesting depth beyond which a value gets a `let`. The limit keeps the code readable and
-/// protects the stack of rustc.
+/// The nesting depth beyond which a value gets a `let`, which protects the stack of rustc.
 const DEEPEST: usize = 24;
 
-/// The Rust code of a plan: bindings, and one expression for each result. The expressions must be
-/// used in this order.
+/// The Rust code of a plan: bindings, and one expression for each result, to be used in order.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -47,8 +44,7 @@ impl Expression {
         Expression { tokens, level: Precedence::Atom }
     }
 
-    /// Returns the tokens. The tokens are in parentheses if the precedence of the expression is
-    /// lower than `level`.
+    /// Returns the tokens, in parentheses if their precedence is lower than `level`.
     fn grouped(self, level: Precedence) -> TokenStream {
         if self.level >= level { self.tokens } else { parenthesised(self.tokens) }
     }
@@ -77,8 +73,7 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the prepared constants in a kernel. In other plans it is `None`; there the
-    /// scalars handle x/0.
+    /// The names of the prepared constants in a kernel, `None` in other plans.
     constants: Option<&'a [String]>,
     /// Whether each `let` contains a call that prevents auto-vectorisation.
     has_fences: bool,
@@ -96,8 +91,7 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step. The kernel returns `None` at a pole. Constant k has the name `__e_`
-/// followed by `constants[k]`.
+/// Emits the kernel of a step, which returns `None` at a pole. `constants` names the constants.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
@@ -213,8 +207,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Writes a binary operation. Of two operands with equal precedence, only the right one needs
-    /// parentheses.
+    /// Writes a binary operation, with parentheses around operands of lower precedence.
     fn binary(&mut self, a: Node, b: Node, level: Precedence, operator: char) -> Expression {
         let tighter = if level == Precedence::Sum { Precedence::Product } else { Precedence::Atom };
         let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));
@@ -226,8 +219,7 @@ impl<'a> Emitter<'a> {
         Expression::atom(call(a, method, infix(b.tokens, ',', c.tokens)))
     }
 
-    /// Writes `a / b`. In a kernel writes `b.reciprocal()?` or `a.quotient(b)?` instead, which
-    /// report a pole.
+    /// Writes `a / b`, or in a kernel `b.reciprocal()?` or `a.quotient(b)?`, which report a pole.
     fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
         if self.constants.is_none() {
             return self.binary(a, b, Precedence::Product, '/');

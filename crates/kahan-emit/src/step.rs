@@ -1,13 +1,11 @@
-//! Emits the prepared step: constants that depend on ε and the parameters, and the kernel that runs
-//! on a state.
+//! Emits the prepared step: constants made of ε and the parameters, and the kernel of a state.
 //!
 //! ```text
 //! pub struct __Step;
 //! impl Kernel<3, 2> for __Step { const COST …; fn quotients(constants, state) … }
 //! ```
 //!
-//! If a plan has a second form for all scalars, `__General` is emitted too; `kahan-core` chooses
-//! between the two.
+//! If a plan has a second form for all scalars, `__General` is emitted too.
 
 use kahan_algebra::plan::{Node, Plan, StepCost, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -68,8 +66,7 @@ impl<'a> NamedStep<'a> {
         Literal::usize_unsuffixed(self.names.len())
     }
 
-    /// Expands to the constants in order, `[eps.clone(), …]`, or to a block that ends with this
-    /// array.
+    /// Expands to the constants `[eps.clone(), …]`, or to a block that ends with this array.
     fn emit_constants(&self) -> TokenStream {
         let symbols = &self.context.system.field.symbols;
         let inputs = emit_inputs(&self.plan.constants, symbols);
@@ -90,7 +87,7 @@ impl<'a> NamedStep<'a> {
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();
         let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
-        // Return one result for each use, so that the last use moves the value.
+        // Returns one result for each use, so that the last use moves the value.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {

@@ -10,7 +10,7 @@ use super::expand;
 
 const MOST_TOKENS: usize = 500_000;
 
-/// The error that an expansion cannot be returned as text.
+/// An error that prevents returning an expansion as text.
 #[derive(Debug)]
 pub enum ExpansionTextError {
     /// The block contains text that is not a Rust token, for example `x²`.
@@ -39,12 +39,11 @@ impl fmt::Display for ExpansionTextError {
 
 impl Error for ExpansionTextError {}
 
-/// Returns the formatted expansion of `kahan! { block }`. If the block has no header, the expansion
-/// is inside a function.
+/// Returns the formatted expansion of `kahan! { block }`, inside a function if the block has no
+/// header.
 ///
 /// # Errors
-/// Returns an [`ExpansionTextError`] if the block does not consist of Rust tokens, or if the
-/// expansion is too long.
+/// If the block does not consist of Rust tokens, or if the expansion is too long.
 pub fn text(core: &TokenStream, block: &str) -> Result<String, ExpansionTextError> {
     let expansion = expand(core, block.parse().map_err(ExpansionTextError::NotRust)?);
     let tokens = count(&expansion.tokens);

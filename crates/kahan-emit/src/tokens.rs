@@ -1,5 +1,4 @@
-//! Turns the compiler's tokens, or a text, into a flat list of tokens for the front end. Each keeps
-//! its compiler span.
+//! Turns the compiler's tokens, or a text, into a flat list of tokens with their compiler spans.
 
 use std::ops::Range;
 
@@ -21,7 +20,6 @@ pub(crate) struct FlatTokens {
     /// For each token, the tree that begins there and the index of the tree's last token. At
     /// closing brackets it is `None`.
     trees: Vec<Option<(TokenTree, usize)>>,
-    /// The text of the file, if the tokens come from a file.
     pub(crate) source: Option<Source>,
 }
 
@@ -61,8 +59,7 @@ pub(crate) fn flatten(stream: TokenStream) -> FlatTokens {
     flat
 }
 
-/// Returns the brackets of a group. A group without brackets, such as a captured `$e:expr`, gets
-/// parentheses.
+/// Returns the brackets of a group. A captured `$e:expr` has no brackets, and gets parentheses.
 fn brackets(group: &Group) -> (char, char) {
     match group.delimiter() {
         Delimiter::Parenthesis | Delimiter::None => ('(', ')'),
@@ -81,7 +78,7 @@ impl FlatTokens {
         }
     }
 
-    /// Returns the compiler's tokens of a span. The span must contain whole groups only.
+    /// Returns the compiler's tokens of a span, which must contain whole groups only.
     fn slice(&self, span: kahan_algebra::token::Span) -> TokenStream {
         let mut next = span.first;
         let trees = core::iter::from_fn(|| {

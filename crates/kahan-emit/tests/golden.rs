@@ -1,8 +1,7 @@
-//! Compares the expansions of blocks with golden files, which are reviewed like any code.
+//! Compares the expansions of blocks with golden files.
 //!
 //! The first file shows a whole expansion. Later files omit functions that equal functions shown
-//! before, up to the type name and the dimension. `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit`
-//! writes the files.
+//! before. `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit` writes the files.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -29,8 +28,7 @@ const BLOCKS: [(&str, &[&str]); 7] = [
 struct Shown(BTreeSet<String>);
 
 impl Shown {
-    /// Returns the expansion without functions that were shown before, and records the functions
-    /// that it shows.
+    /// Returns the expansion without functions that were shown before, and records the others.
     fn rest(&mut self, block: &str, functions: &[&str]) -> String {
         let tokens = expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens;
         if let Ok(mut value) = syn::parse2::<Block>(tokens.clone()) {
@@ -57,8 +55,7 @@ impl Shown {
         }
     }
 
-    /// Reduces an implementation to the functions that were not shown before. Returns whether there
-    /// are any.
+    /// Removes functions that were shown before, and returns whether any remain.
     fn has_news(&mut self, item: &mut ItemImpl, functions: &[&str]) -> bool {
         let name = item.self_ty.to_token_stream().to_string();
         let name = name.split(' ').next().unwrap_or_default().to_owned();
@@ -88,7 +85,6 @@ fn formatted(tokens: &TokenStream) -> String {
     prettyplease::unparse(&syn::parse2(tokens.clone()).expect("what the macro expands to is Rust"))
 }
 
-/// Replaces the dimension in the types of vectors and matrices by n.
 fn without_dimension(text: &str) -> String {
     (1..10).fold(text.to_owned(), |text, n| {
         text.replace(&format!("SVector < T , {n} >"), "SVector < T , n >")
@@ -146,7 +142,7 @@ fn a_block_of_too_many_couplings_is_told_of_families() {
     }
 }
 
-/// Beyond the limit the stack of rustc would overflow, so every kind of block must report it.
+/// Beyond the limit the stack of rustc would overflow; therefore every kind of block reports it.
 #[test]
 fn a_block_of_too_many_parameters_is_told_so() {
     for (count, is_refused) in [(2000, false), (2001, true)] {

@@ -1,7 +1,7 @@
 //! Calls into machine code.
 //!
-//! In: compiled code and slices. Out: computed numbers. Each call checks that its slices are as
-//! long as the code requires. No other module enters machine code.
+//! Each call checks that its slices are as long as the code requires. No other module enters
+//! machine code.
 #![expect(unsafe_code, reason = "machine code is entered by the address of its first byte")]
 
 use std::marker::PhantomData;
@@ -38,9 +38,9 @@ impl<T: 'static> Code<T> {
     /// # Safety
     /// The bytes must begin with a function on numbers of type `T`, in instructions of this
     /// processor. Its calling convention must be that of System V on x86-64, or of C on 64-bit Arm.
-    /// Of the methods below, only the one that passes the function's arguments may enter it. If the
-    /// slices have the lengths in `extent`, the function must access no other memory than these
-    /// slices and its stack.
+    /// Of the methods below, only the one that passes the function's arguments may enter the code.
+    /// If the slices have the lengths in `extent`, the function must access no other memory than
+    /// these slices and its stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: MemoryExtent) -> Result<Self, CompileError> {
         Ok(Code { pages: Pages::new(bytes).map_err(CompileError::Pages)?, extent, floats: PhantomData })
     }
@@ -105,11 +105,10 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). If `own` is true, each register of
-    /// trajectories has its own constants.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). With `own`, each register of trajectories
+    /// has its own constants.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
-        /// The table size for nearly every field, because clearing a larger table would take
-        /// longer.
+        /// The table size for nearly every field. Clearing a larger table would take longer.
         const FEW: usize = 32;
         /// The maximum number of columns. The interpreter steps larger fields.
         const MOST: usize = 256;

@@ -6,19 +6,16 @@ use crate::assembler::{Element, OperandForm, Width};
 /// An extension of the processor: Intel's name, and a test whether processor and system support it.
 type Extension = (&'static str, fn() -> bool);
 
-/// An instruction set of a processor. Within one architecture, a later set includes the earlier
-/// sets.
+/// An instruction set of a processor. Later sets of an architecture include earlier sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
     /// AVX, with sixteen registers that are used with 128 bits.
     Avx,
     /// AVX2 and FMA, with sixteen registers of 256 bits and fused multiply-adds.
     Avx2,
-    /// AVX-512F and AVX-512VL, with thirty-two registers of 512 bits that are also used with fewer
-    /// bits.
+    /// AVX-512F and AVX-512VL, with thirty-two registers of 512 bits or less.
     Avx512,
-    /// A64 with Advanced SIMD, on every 64-bit Arm processor: 32 registers of 128 bits, fused
-    /// multiply-adds.
+    /// A64 with Advanced SIMD, with 32 registers of 128 bits and fused multiply-adds.
     Neon,
 }
 
@@ -48,11 +45,7 @@ impl InstructionSet {
             && self.extensions().iter().all(|(_, is_detected)| is_detected())
     }
 
-    /// Checks that run-time code is supported on this system. On 64-bit Arm, only Linux and Android
-    /// are supported; macOS would need `MAP_JIT`, and other systems are untested.
-    ///
-    /// # Errors
-    /// [`CompileError::System`].
+    /// Checks that this system supports run-time code. On 64-bit Arm, only Linux and Android do.
     pub(crate) fn may_run(self) -> Result<(), CompileError> {
         let is_known = cfg!(all(any(target_os = "linux", target_os = "android"), target_endian = "little"));
         if self == Self::Neon && cfg!(target_arch = "aarch64") && !is_known {
@@ -61,8 +54,7 @@ impl InstructionSet {
         Ok(())
     }
 
-    /// Returns the extensions that the code needs. Larger sets also use short encodings of smaller
-    /// sets.
+    /// Returns the extensions that the code needs. Larger sets also use encodings of smaller sets.
     pub(crate) fn extensions(self) -> &'static [Extension] {
         #[cfg(target_arch = "x86_64")]
         macro_rules! extensions {
@@ -77,8 +69,7 @@ impl InstructionSet {
         match self {
             Self::Avx => extensions!["avx"],
             Self::Avx2 => extensions!["avx", "avx2", "fma"],
-            // Registers beyond the first sixteen need AVX-512F; with fewer than 512 bits these need
-            // AVX-512VL.
+            // Registers beyond the first sixteen need AVX-512F, and below 512 bits also AVX-512VL.
             Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
             Self::Neon => &[],
         }
@@ -171,7 +162,6 @@ impl Float for f64 {}
 mod tests {
     use super::InstructionSet;
 
-    /// Compares availability with the processor's features. Other tests skip unavailable sets.
     #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {

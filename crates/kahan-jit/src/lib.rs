@@ -1,13 +1,10 @@
 //! Compiles straight-line floating-point programs to machine code.
 //!
-//! In: a [`Program`] over two arrays. Out: code in `f64` or `f32`, scalar or in SIMD lanes. The
-//! code runs the program once ([`Function`]), repeatedly on one state ([`Orbit`],
-//! [`ComposedOrbit`]), or over columns of trajectories ([`Sweep`]). Results have the bits of
-//! generated Rust code, with or without fused multiply-adds. Without the feature `pages` every
-//! program is refused.
+//! A [`Program`] over two arrays becomes code in `f64` or `f32`, scalar or in SIMD lanes. The code
+//! runs the program once ([`Function`]), repeatedly on one state ([`Orbit`], [`ComposedOrbit`]), or
+//! over columns of trajectories ([`Sweep`]). Results have the bits of generated Rust code. Without
+//! the feature `pages` every program is refused.
 //!
-//! # Modules
-//! The stages are `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`, `call`.
 //! `unsafe` occurs only in `call.rs`, three files of `routine`, `pages/cache.rs` and a test helper.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]

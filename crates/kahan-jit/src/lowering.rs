@@ -1,7 +1,7 @@
 //! Lowering of programs to machine operations.
 //!
-//! In: a caller's program. Out: an equivalent program without duplicate or unneeded operations.
-//! Unfused multiply-adds are separated, and each result that is an input or constant gets a copy.
+//! The lowered program has no duplicate or unneeded operations. Unfused multiply-adds are
+//! separated, and each result that is an input or constant gets a copy.
 
 use kahan_program::Operation::{
     Add, Call, Constant, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,
@@ -10,21 +10,18 @@ use kahan_program::{Builder, Float, Node};
 
 use crate::program::{CalledFunction, Input, Instruction, Program};
 
-/// The place where a program's results end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ResultDestination {
     /// Result i becomes state i of the next round, and stays in register i.
     Carried,
-    /// Result i is stored in the location of state i.
     InPlace,
-    /// The results are stored in a separate array.
     Elsewhere,
 }
 
-/// The constant −0, of which only the sign bit is set. A negation flips this bit of a number.
+/// The constant −0. A negation flips the sign bit by xor with this constant.
 pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
 
-/// Lowers a program. If the program negates a number, the constant [`SIGN`] is added to it.
+/// Lowers a program. If the program negates a number, the constant [`SIGN`] is added.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: ResultDestination) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
     // Unneeded operations are skipped, and no later operation reads their entry in `places`.
@@ -45,7 +42,6 @@ struct Lowering {
 }
 
 impl Lowering {
-    /// Adds an operation on nodes of the lowered program, and returns the new node.
     fn write(&mut self, operation: Instruction) -> Node {
         let operation = match operation {
             Call(CalledFunction::Copy, a, _) => return a,

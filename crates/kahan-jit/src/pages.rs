@@ -1,8 +1,6 @@
 //! Executable memory.
 //!
-//! In: code and its constants as bytes. Out: pages that can be read and executed, or the system's
-//! error. Pages are never writable and executable at once, and are unmapped when dropped. On 64-bit
-//! Arm this module also synchronises the separate instruction cache.
+//! Pages are never writable and executable at once, and are unmapped when dropped.
 
 #[cfg(all(target_arch = "aarch64", feature = "pages"))]
 mod cache;
@@ -19,10 +17,8 @@ type Memory = &'static [u8; 0];
 pub(crate) struct Pages(Memory);
 
 impl Pages {
-    /// Copies code into newly allocated pages.
-    ///
-    /// # Errors
-    /// Returns the system's error, if memory is exhausted or run-time code is forbidden.
+    /// Copies code into newly allocated pages. Fails if memory is exhausted or run-time code
+    /// forbidden.
     #[cfg(feature = "pages")]
     pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
         let mut pages = memmap2::MmapMut::map_anon(bytes.len())?;
@@ -39,8 +35,7 @@ impl Pages {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// Returns the address of the first byte. Code may run on this thread even if another thread
-    /// wrote it.
+    /// Returns the address of the first byte. Another thread may have written the code.
     #[inline]
     pub(crate) fn entry(&self) -> *const u8 {
         #[cfg(all(target_arch = "aarch64", feature = "pages"))]

@@ -47,7 +47,6 @@ pub(crate) fn entries(program: &Program) -> [usize; 2] {
             Input::State(i) => (0, i),
             Input::Constant(k) => (1, k),
         };
-        // The addition saturates for the index `usize::MAX`, which no code can address.
         entries[array] = index.saturating_add(1).max(entries[array]);
     }
     entries

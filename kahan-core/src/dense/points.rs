@@ -1,7 +1,6 @@
 //! Elimination for several points at once, with one point per lane.
 //!
-//! In: packed coefficients and as many points as a register of 512 bits holds. Out: A(x,ε)⁻¹f(x)
-//! for each point, equal to that of a single point bit for bit, and the growth of each elimination.
+//! The result for each point has the bits of the elimination of a single point.
 
 use core::marker::PhantomData;
 
@@ -10,17 +9,15 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 
 use super::{COLUMNS, Loops, Workspace, minus_product};
 
-/// Returns the number of points that [`velocities`] takes, which is how many numbers a register of
-/// 512 bits holds.
+/// Returns the number of points that [`velocities`] takes, the numbers in a register of 512 bits.
 #[must_use]
 pub const fn points<T: InLanes>() -> usize {
     T::MOST
 }
 
 /// Replaces each of [`points`] points x by A(x,ε)⁻¹f(x). Entry i of point p has the index
-/// i·[`points`] + p. If the magnitude of `growth[p]` exceeds
-/// [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR), the pivots of point p are too small. A
-/// zero pivot gives numbers that are not finite.
+/// i·[`points`] + p. If |`growth[p]`| exceeds [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR),
+/// the pivots of point p are too small. A zero pivot gives numbers that are not finite.
 pub fn velocities<T: InLanes>(
     packed: &[T],
     x: &mut [T],
@@ -66,9 +63,10 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
-    /// Replaces the last column by the solution, and returns the growth. For each pivot, the
-    /// smaller of two numbers counts: the largest factor below it, and the largest quotient of its
-    /// row by the pivot. The growth is the largest of these. `sizes` has two numbers per variable.
+    /// Replaces the last column by the solution, and returns the growth: the maximum over all
+    /// pivots of the smaller of two numbers. The numbers are the largest factor below the pivot,
+    /// and the largest quotient of the pivot's row by the pivot. `sizes` has two numbers per
+    /// variable.
     #[inline(always)]
     fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
         let (n, zero) = (self.variables, L::spread(&T::zero()));
@@ -119,8 +117,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
         growth
     }
 
-    /// Subtracts multiples of earlier pivot rows from W rows in column j, beginning with row
-    /// `first`.
+    /// Subtracts multiples of earlier pivot rows from W rows in column j, from row `first` on.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {

@@ -35,8 +35,7 @@ fn lanes_of_any_number_have_the_same_bits() {
     agree(|x: f32| u64::from(x.to_bits()));
 }
 
-/// A point in a lane gives the same bits as a single point, and `growth` shows pivots that are too
-/// small.
+/// A point in a lane has the bits of a single point, and `growth` reveals small pivots.
 #[test]
 fn points_side_by_side_are_solved_as_each_alone() {
     let mut state = 7_u32;

@@ -1,8 +1,7 @@
-//! Advances an ensemble, on one thread or on several threads.
+//! Advances an ensemble by a number of steps, on one thread or on several threads.
 //!
-//! In: a prepared map, plain or composed, and a number of steps. Out: every point after these
-//! steps. Each trajectory goes through one fixed sequence of operations. Therefore its bits depend
-//! neither on its index nor on the way the columns are divided among threads.
+//! Each trajectory goes through a fixed sequence of operations. Therefore its bits depend neither
+//! on its index nor on the number of threads.
 
 use crate::composition::Staged;
 use crate::step::error::pole;
@@ -12,8 +11,8 @@ use super::columns::Group;
 use super::level::Instructions;
 use super::{Ensemble, EnsembleScalar};
 
-/// One or more maps that advance points of N variables. One map is a [`KahanAt`], plain or
-/// composed. A slice or vector has one `KahanAt` per trajectory.
+/// One or more maps that advance points of N variables: a [`KahanAt`] for all trajectories, or a
+/// slice or vector with one `KahanAt` per trajectory.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no map that moves points of {N} numbers of the type `{T}`",
     label = "not one prepared map, in the dimension and the type of number of the points",
@@ -21,14 +20,14 @@ use super::{Ensemble, EnsembleScalar};
     note = "a point has one entry for each equation: give `Ensemble::grid` as many axes, `Ensemble::new` such vectors"
 )]
 pub trait Advances<T: EnsembleScalar, const N: usize> {
-    /// Returns the number of trajectories that the maps serve, `None` if the maps serve any number.
+    /// Returns the number of trajectories that the maps serve, or `None` for any number.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None
     }
 
-    /// Advances columns of equal length, whose first group has the number `first`. If the scalar
-    /// has no reciprocal of zero, the error holds the ε of the map that met a pole.
+    /// Advances columns of equal length, whose first group has the number `first`. The error is the
+    /// ε of a map at a pole, over a scalar without a reciprocal of zero.
     #[doc(hidden)]
     fn advance(
         &self,
@@ -39,7 +38,7 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
     ) -> Result<(), T>;
 }
 
-// Each kind of map has its own implementation. Compiler errors then name the points of the map.
+// Each kind of map has its own implementation, to which compiler errors then refer.
 #[diagnostic::do_not_recommend]
 impl<M, T, const N: usize> Advances<T, N> for KahanAt<M, T, N>
 where
@@ -99,16 +98,15 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     ///
     /// `map` is a [`KahanAt`], or for a higher order a [`composed`](KahanAt::composed) map. If ε or
     /// the parameters differ, pass a slice or vector with one map per point. Such maps also run in
-    /// SIMD lanes, and always [divide](crate::Reciprocal::Divided). Each point has the bits that
-    /// its map would give in any other ensemble.
+    /// SIMD lanes, and always [divide](crate::Reciprocal::Divided).
     ///
     /// No memory is allocated. With the feature `parallel`, large ensembles run on rayon's current
     /// thread pool, with equal bits. After a pole, a trajectory's floats are infinite or NaN. After
     /// an overflow, the trajectory may be wrong. Other trajectories are unaffected.
     ///
     /// # Panics
-    /// If a trajectory meets a pole and the scalar has no reciprocal of zero. Some points are then
-    /// further advanced than others. If the number of maps differs from the number of points.
+    /// If the number of maps differs from the number of points. If a trajectory meets a pole and
+    /// the scalar has no reciprocal of zero. Some points are then further advanced than others.
     ///
     /// ```
     /// use kahan_core::Ensemble;
@@ -180,7 +178,6 @@ where
     work(first, columns)
 }
 
-/// A range of groups, as one slice of each column.
 pub(crate) type ColumnSlices<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
 /// Splits the columns into two halves of whole tiles. Returns `Err` if two tasks would not pay.
@@ -192,7 +189,7 @@ fn halves<T, const N: usize>(
     use super::columns::GROUP;
     use super::sweep::groups_per_tile;
 
-    /// The minimum work of a task in steps, which take some tens of microseconds.
+    /// The minimum work of a task, which takes some tens of microseconds.
     const STEPS_PER_TASK: u64 = 1 << 16;
 
     let tile = groups_per_tile::<T, N>();

@@ -1,12 +1,12 @@
 //! The memory of an ensemble: one aligned column per variable, in whole groups of points.
 //!
-//! In: points. Out: columns whose length every register width divides; therefore loops need no
-//! remainder. Copies of the last point pad the last group, and are never visible outside.
+//! Every register width divides the length of a group; therefore loops have no remainder. Copies of
+//! the last point fill the last group, and are never visible outside.
 
 use core::array::from_fn;
 use std::vec::Vec;
 
-/// The number of points in a group, the `f32` lanes of the widest register (512 bits).
+/// The number of points in a group, which is the number of `f32` in the widest register.
 pub const GROUP: usize = 16;
 
 /// The entries of one column for a group of consecutive points.
@@ -18,7 +18,7 @@ const LINE: usize = 64;
 /// N columns of equal length in one allocation.
 ///
 /// A column takes an odd number of groups. Therefore equal indices of different columns are never a
-/// multiple of 4096 bytes apart. At such distances they would compete for one cache set.
+/// multiple of 4096 bytes apart, where they would compete for one cache set.
 pub(crate) struct Columns<T, const N: usize> {
     entries: Vec<T>,
     /// The index of the first entry, which lies at the start of a cache line.
@@ -34,12 +34,11 @@ impl<T: Copy, const N: usize> Columns<T, N> {
         }
         let stride = stride(len);
         let skipped_at_most = LINE / size_of::<T>().max(1);
-        // The vector never outgrows its capacity, and therefore its address and alignment stay
-        // fixed.
+        // The vector never outgrows its capacity; therefore the alignment persists.
         let mut entries: Vec<T> = Vec::with_capacity(N * stride + skipped_at_most);
         let start = match entries.as_ptr().align_offset(LINE) {
             start if start <= skipped_at_most => start,
-            // No aligned index can be reached. Loads are then slower, but no result changes.
+            // If no aligned index can be reached, loads are slower, but results are equal.
             _ => 0,
         };
         entries.resize(start, entry(0, 0));
@@ -68,7 +67,7 @@ impl<T: Copy, const N: usize> Columns<T, N> {
     }
 }
 
-/// Copies the entries to a newly aligned place, because a cloned vector would not be aligned.
+/// A cloned vector would not be aligned; therefore the entries are copied.
 impl<T: Copy, const N: usize> Clone for Columns<T, N> {
     fn clone(&self) -> Self {
         Self::new(self.len, |i, c| self.column(c)[i])

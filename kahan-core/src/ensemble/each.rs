@@ -1,8 +1,7 @@
-//! One map per trajectory. The maps share one field, but ε and parameters differ.
+//! One map per trajectory, all of one field, with different ε and parameters.
 //!
-//! In: prepared maps and columns. Out: the columns after a number of steps. Each lane of a register
-//! holds a constant of its own map. Each trajectory gets the bits that its map would give in any
-//! other ensemble, for any contents of the neighbouring lanes.
+//! Each lane of a register holds the constants of one map. A trajectory's bits do not depend on the
+//! contents of the neighbouring lanes.
 
 use core::array::from_fn;
 use std::vec::Vec;
@@ -35,8 +34,7 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> Option<()> {
         let Self { maps, mut columns, steps } = self;
-        // Advances two registers at a time, because this hides latency. If one register holds the
-        // whole group, both are the same register.
+        // Advances two registers at a time, which hides latency.
         for part in (0..GROUP).step_by(2 * L::WIDTH) {
             let parts = [part, (part + L::WIDTH) % GROUP];
             let [first, second] = parts.map(|part| {
@@ -92,8 +90,8 @@ where
         Ok(())
     }
 
-    /// Advances one trajectory at a time. Copying it into all lanes gives the bits of lane
-    /// arithmetic.
+    /// Advances one trajectory at a time. All lanes hold copies of the trajectory, which gives the
+    /// bits of lane arithmetic.
     fn in_turn(self, on: Instructions) -> Result<(), T> {
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {

@@ -1,7 +1,4 @@
-//! Grids of initial points.
-//!
-//! In: one axis per variable. Out: the ensemble of all combinations of the axes' values, in a fixed
-//! order.
+//! Grids of initial points: all combinations of the values of one axis per variable.
 
 use core::array::from_fn;
 
@@ -23,8 +20,8 @@ pub struct Axis<T> {
 }
 
 impl<T: Scalar + Copy> Axis<T> {
-    /// Returns value k of an axis with m + 1 values, (start·(m − k) + end·k)/m. The first and the
-    /// last value are exact. Decimal fractions between integers are rounded once.
+    /// Returns value k of an axis with m + 1 values, (start·(m − k) + end·k)/m. Decimal fractions
+    /// between integers are rounded once.
     fn value(&self, k: usize) -> T {
         let last = self.count - 1;
         match k {
@@ -36,8 +33,8 @@ impl<T: Scalar + Copy> Axis<T> {
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Creates all points whose entry i is a value of axis i. The last variable varies fastest, as
-    /// in the innermost of nested loops. The grid is empty if any axis has no values.
+    /// Creates all points whose entry i is a value of axis i. The last variable varies fastest. The
+    /// grid is empty if any axis has no values.
     ///
     /// Value k of an axis with m + 1 values is (start·(m − k) + end·k)/m. The first value is
     /// exactly `start`. If m > 0, the last value is exactly `end`.
@@ -57,7 +54,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     pub fn grid(axes: [Axis<T>; N]) -> Self {
         let len = axes.iter().try_fold(1_usize, |len, axis| len.checked_mul(axis.count));
         let Some(len) = len else { panic!("a grid of more points than memory can hold") };
-        // For each axis, the number of consecutive points that share a value of this axis.
+        // This is the number of consecutive points that share a value of the axis.
         let runs: [usize; N] = from_fn(|c| axes[c + 1..].iter().map(|axis| axis.count).product());
         Self::from_columns(Columns::new(len, |i, c| axes[c].value(i / runs[c] % axes[c].count)))
     }

@@ -1,7 +1,7 @@
 //! SIMD lanes: several numbers in one register, used as one scalar.
 //!
-//! In: work that is generic over the lane type. Out: the work, compiled for an instruction set and
-//! run with it. For a scalar without vector registers, a register has a single lane.
+//! Work that is generic over the lane type is compiled for an instruction set and run with it. For
+//! a scalar without vector registers, a register has a single lane.
 
 use super::EnsembleScalar;
 use super::columns::Group;
@@ -14,19 +14,19 @@ pub trait Lanes<T>: Scalar + Copy {
     /// The number of lanes, a divisor of [`GROUP`](super::columns::GROUP).
     const WIDTH: usize;
 
-    /// A set of lanes, in which a comparison holds.
+    /// The lanes in which a comparison holds.
     type Mask: Copy;
 
-    /// Loads `WIDTH` entries, beginning with the entry at `place`.
+    /// Loads `WIDTH` entries from `place` on.
     fn load(entries: &[T], place: usize) -> Self;
 
-    /// Stores the lanes into the entries, beginning at `place`.
+    /// Stores the lanes into the entries from `place` on.
     fn store(self, entries: &mut [T], place: usize);
 
     /// Returns a register with the number in every lane.
     fn spread(value: &T) -> Self;
 
-    /// Compares |self| > |other| in each lane. The result is false if either number is NaN.
+    /// Compares |self| > |other| in each lane, which is false for NaN.
     fn exceeds(self, other: Self) -> Self::Mask;
 
     /// Returns whether the mask contains any lane.
@@ -86,8 +86,7 @@ impl<T: Scalar + Copy> Lanes<T> for T {
 pub trait OverLanes<T> {
     /// The type of the result.
     type Output;
-    /// Whether the work needs few registers. If so, it runs on pairs of registers, which hides
-    /// latency.
+    /// Whether the work needs few registers, and therefore runs on pairs of registers.
     const IS_SMALL: bool;
 
     /// Does the work. The function must be inlined; only then the caller's target features apply.
@@ -101,9 +100,8 @@ pub trait InLanes: EnsembleScalar {
     /// The number of numbers in a 256-bit register.
     const ROWS: usize = Self::MOST / 2;
 
-    /// The fraction below which an entry is negligible. An entry below this fraction of the largest
-    /// entries of its row and its column cannot change the solution. The square of the fraction is
-    /// a normal number.
+    /// The fraction of the largest entries of its row and column below which an entry cannot change
+    /// the solution. The square of the fraction is a normal number.
     const NEGLIGIBLE: Self;
 
     /// Runs work with the instruction set `level`, or with the baseline if the processor lacks it.
@@ -111,8 +109,8 @@ pub trait InLanes: EnsembleScalar {
 }
 
 pub(super) trait LaneSweep: InLanes {
-    /// Advances columns of equal length by a step that has lanes. The step uses the instruction set
-    /// of `on`, or the baseline if the processor lacks it.
+    /// Advances columns of equal length by a step over lanes. The step uses the instruction set of
+    /// `on`, or the baseline if the processor lacks it.
     fn advance_lanes<S, const N: usize>(
         map: &S,
         columns: [&mut [Group<Self>]; N],
@@ -126,7 +124,7 @@ pub(super) trait LaneSweep: InLanes {
 pub(super) const NEGLIGIBLE_F32: f32 = 1.0 / (1_u64 << 60) as f32;
 pub(super) const NEGLIGIBLE_F64: f64 = f64::from_bits((1023 - 500) << 52);
 
-/// Returns c − a·b. The result is fused if the program is compiled for FMA, and in AVX2 lanes.
+/// Returns c − a·b. The operation is fused in AVX2 lanes, and in programs compiled for FMA.
 #[inline(always)]
 pub(crate) fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
     if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }

@@ -1,30 +1,24 @@
-//! The instruction sets on which an ensemble can run.
-//!
-//! In: the processor's features, detected at run time. Out: one instruction set for a whole
-//! ensemble, which also determines the bits of its results. Outside x86-64 and 64-bit Arm there is
-//! only `Baseline`.
+//! The instruction sets on which an ensemble can run, detected at run time.
 
 /// An instruction set for the steps of an [`Ensemble`](crate::Ensemble), in increasing order.
 ///
 /// The instruction set determines how many trajectories a register holds and whether multiply-adds
-/// are fused. It therefore determines the last bits of a result. With one instruction set, the bits
-/// are equal on every run and machine.
+/// are fused, and therefore the last bits of results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Level {
     /// The instructions for which the program was compiled. On x86-64 and 64-bit Arm they advance
     /// two `f64` or four `f32` at a time, elsewhere one. The bits are those of
-    /// [`KahanAt::step`](crate::KahanAt::step), with one exception. That step may divide by the
-    /// time step or, in one or two variables, more than once. Lanes then use the form with a single
-    /// division, because the divider limits throughput, and the last digit may differ.
+    /// [`KahanAt::step`](crate::KahanAt::step), unless that step divides by the time step or more
+    /// than once. Lanes always use the form with a single division, because the divider limits
+    /// throughput.
     Baseline,
     /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.
     Avx2,
-    /// AVX-512F, eight `f64` or sixteen `f32` at a time. AVX-512F computes the same bits as
-    /// [`Avx2`](Self::Avx2). The divider of AVX-512F is no faster. Therefore AVX-512F helps mainly
-    /// if multiplications limit the speed.
+    /// AVX-512F, eight `f64` or sixteen `f32` at a time, with the bits of [`Avx2`](Self::Avx2).
+    /// AVX-512F helps mainly if multiplications limit the speed, because the divider is no faster.
     Avx512,
-    /// NEON on 64-bit Arm, two `f64` or four `f32` at a time. NEON computes the same bits as
+    /// NEON on 64-bit Arm, two `f64` or four `f32` at a time, with the bits of
     /// [`Avx2`](Self::Avx2).
     Neon,
 }
@@ -55,23 +49,22 @@ impl Level {
     }
 }
 
-/// The method that computes the reciprocals of a step's denominators.
+/// The method for the reciprocals of a step's denominators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Reciprocal {
     /// The division instruction, which rounds correctly.
     #[default]
     Divided,
-    /// On [`Level::Avx512`], the processor's 14-bit estimate refined by Newton's iteration. There
-    /// are two iterations for `f64` and one for `f32`. On other instruction sets and for other
-    /// scalars, this equals [`Divided`](Self::Divided).
+    /// On [`Level::Avx512`], the processor's 14-bit estimate refined by Newton's iteration, twice
+    /// for `f64` and once for `f32`. On other instruction sets and for other scalars, this equals
+    /// [`Divided`](Self::Divided).
     ///
     /// The estimate is up to a third faster in a step that does little but divide (Lotka–Volterra).
-    /// The estimate is no faster if multiplications limit the speed. Sometimes a reciprocal differs
-    /// from the correctly rounded reciprocal by one unit in the last place. Over operands of all
-    /// exponents, including subnormal operands, the difference occurs in one case of 900 for `f64`
-    /// and in one of 340 for `f32`. If the reciprocal is infinite (at 0 or by overflow) or the
-    /// operand is infinite, the result is NaN. Poles and overflowing denominators therefore stay
-    /// visible. A division by infinity would silently leave the point unchanged.
+    /// The estimate is no faster if multiplications limit the speed. The result differs from the
+    /// correctly rounded reciprocal by at most one unit in the last place. For random operands the
+    /// difference occurs in one case of 900 for `f64`, and in one of 340 for `f32`. If the operand
+    /// or the reciprocal is infinite, the result is NaN. Poles and overflowing denominators
+    /// therefore stay visible.
     Estimated,
 }
 

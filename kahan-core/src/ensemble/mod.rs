@@ -1,9 +1,8 @@
 //! Ensembles: many trajectories advanced together, by one map or by one map per trajectory.
 //!
-//! In: initial points. Out: the points after a number of steps. The speed comes from a column per
-//! variable, from tiles that stay in the first-level cache, from SIMD lanes, and with `parallel`
-//! from threads. This module contains no formulas of steps, but runs the prepared step of a map
-//! over lane types. Poles are not detected; they show as infinities or NaNs.
+//! The speed comes from a column per variable, from tiles that stay in the first-level cache, from
+//! SIMD lanes, and with `parallel` from threads. Poles are not detected, and give infinities or
+//! NaNs.
 
 #[cfg(target_arch = "aarch64")]
 mod aarch64;
@@ -43,23 +42,22 @@ pub use scalar::EnsembleScalar;
 /// advances its points.
 ///
 /// # Reproducibility
-/// A trajectory's bits depend only on its initial point, the map, ε and the [`Level`]. They do not
-/// depend on the run, the index of the point, the number of points or the number of threads.
+/// A trajectory's bits depend only on its initial point, the map, ε and the [`Level`].
 /// [`Level::Avx2`], [`Level::Avx512`] and [`Level::Neon`] fuse multiply-adds and give equal bits.
 /// [`Level::Baseline`] and [`KahanAt::step`](crate::KahanAt::step) fuse only if the program is
 /// compiled for fused instructions. An ensemble runs on the highest instruction set of the
-/// processor; [`at_level`](Self::at_level) selects another.
+/// processor, unless [`at_level`](Self::at_level) selects another.
 ///
 /// # Cost
-/// The memory is N numbers per point. Trajectories in different lanes and registers are
-/// independent. Therefore the busiest execution unit, usually the divider, determines the time.
+/// The memory is N numbers per point. Trajectories are independent. Therefore the busiest execution
+/// unit, usually the divider, determines the time.
 pub struct Ensemble<T, const N: usize> {
     pub(crate) columns: Columns<T, N>,
     pub(crate) instructions: Instructions,
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Creates an ensemble of the given points, in this order.
+    /// Creates an ensemble of the given points.
     pub fn new(points: Vec<SVector<T, N>>) -> Self {
         Self::from_columns(Columns::new(points.len(), |i, c| points[i][c]))
     }
@@ -123,7 +121,7 @@ impl<T: EnsembleScalar, const N: usize> Clone for Ensemble<T, N> {
     }
 }
 
-/// Compares the points. The instruction sets and the reciprocals may differ.
+/// Compares the points, but not the instruction sets.
 impl<T: EnsembleScalar, const N: usize> PartialEq for Ensemble<T, N> {
     fn eq(&self, other: &Self) -> bool {
         self.len() == other.len() && (0..N).all(|c| self.column(c) == other.column(c))

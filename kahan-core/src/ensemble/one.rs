@@ -1,5 +1,4 @@
-//! Ensembles on processors without supported vector registers. One trajectory at a time runs the
-//! step that is meant for lanes; therefore the bits equal those of lanes.
+//! Ensembles on processors without supported vector registers, one trajectory at a time.
 
 use crate::PreparedStep;
 use crate::composition::Staged;

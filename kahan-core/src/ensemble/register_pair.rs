@@ -1,6 +1,5 @@
-//! A pair of registers that is used as one register of twice the width.
-//!
-//! The operations on the two registers are independent and overlap. Both take the time of one.
+//! A pair of registers that is used as one register of twice the width. The operations on both
+//! registers overlap.
 
 use core::ops::Neg;
 
@@ -17,7 +16,7 @@ pub struct RegisterPair<L>(L, L);
 
 operators!([L: Scalar + Copy] RegisterPair<L>: Self::sum, Self::difference, Self::product, Self::ratio);
 
-/// The functions have names, because closures are not inlined into functions with target features.
+/// Functions have names, because closures are not inlined into functions with target features.
 impl<L: Scalar + Copy> RegisterPair<L> {
     #[inline(always)]
     fn sum(self, other: Self) -> Self {

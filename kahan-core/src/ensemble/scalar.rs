@@ -1,6 +1,4 @@
-//! The scalars of ensembles, and for each the loop that advances columns.
-//!
-//! In: the prepared stages of a step, and columns. Out: the columns after a number of steps.
+//! The scalars of ensembles, with the loops that advance columns.
 
 #![expect(private_bounds, reason = "the stages of a step are nobody else's")]
 
@@ -15,8 +13,8 @@ use super::sweep::sweep;
 
 /// A scalar whose points form an [`Ensemble`](crate::Ensemble).
 ///
-/// The scalars `f32` and `f64` run in SIMD lanes. Any other `Copy` scalar needs only an empty `impl
-/// EnsembleScalar for S {}`. Its trajectories are stepped one at a time.
+/// The scalars `f32` and `f64` run in SIMD lanes. Any other `Copy` scalar S needs only an empty
+/// `impl EnsembleScalar for S {}`, and its trajectories are stepped one at a time.
 #[diagnostic::on_unimplemented(
     message = "an ensemble of `{Self}` cannot be advanced",
     label = "not an `EnsembleScalar`; for a number, write `1.0`, not `1`",

@@ -1,9 +1,7 @@
 //! The loop of every ensemble, which runs over tiles, steps, stages and groups.
 //!
-//! In: columns and a step over one register type. Out: the columns after a number of steps. A tile
-//! stays in the first-level cache for all its steps. Each stage of a step is one pass over the
-//! tile. The groups in a pass are independent, and therefore the processor overlaps their
-//! operations.
+//! A tile stays in the first-level cache for all its steps. Each stage of a step is one pass over
+//! the tile, in which the processor overlaps the operations of independent groups.
 
 use core::array::from_fn;
 
@@ -14,8 +12,8 @@ use crate::{PreparedStep, Scalar};
 use super::columns::{GROUP, Group};
 use super::lanes::Lanes;
 
-/// Advances every column by `steps` steps, each of which runs all `stages` in order. Returns `None`
-/// at a pole of a scalar without a reciprocal of zero. Some trajectories are then not advanced.
+/// Advances every column by `steps` steps, each of which runs all `stages` in order. At a pole of a
+/// scalar without a reciprocal of zero, returns `None` and leaves some trajectories unadvanced.
 ///
 /// The function must be inlined; only then the caller's target features apply.
 #[inline(always)]
@@ -33,7 +31,7 @@ where
     let groups = columns.first().map_or(0, |column| column.len());
     for first in (0..groups).step_by(groups_per_tile::<T, N>()) {
         let len = groups_per_tile::<T, N>().min(groups - first);
-        // The slices have one known length, and therefore the inner loop needs no bounds checks.
+        // The slices have one known length; therefore the inner loop needs no bounds checks.
         let mut tile = columns.each_mut().map(|column| &mut column[first..][..len]);
         for _ in 0..steps {
             for step in S::in_order(stages) {
@@ -53,8 +51,7 @@ where
     Some(())
 }
 
-/// Returns the number of groups in a tile, at least one. A tile has at most 512 trajectories and 16
-/// KiB, half of the smallest first-level cache in use.
+/// Returns the number of groups in a tile, at most 512 trajectories and 16 KiB.
 pub(crate) const fn groups_per_tile<T, const N: usize>() -> usize {
     const TRAJECTORIES: usize = 512;
     const BYTES: usize = 16 << 10;

@@ -1,6 +1,4 @@
 //! A family's map at one ε, for chains of one length.
-//!
-//! In: a state. Out: the next state, in place. All memory is allocated before the first step.
 
 use core::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -27,7 +25,7 @@ pub struct LatticeAt<M, T: LatticeScalar> {
     forward: Vec<T>,
     backward: Vec<T>,
     form: WorkspaceLayout,
-    /// The workspace of steps. Concurrent calls allocate another workspace.
+    /// The workspace of steps. Each concurrent call allocates another workspace.
     memory: Mutex<StepWorkspace<T>>,
     promise: PromiseCheck<T>,
 }
@@ -40,7 +38,6 @@ struct StepWorkspace<T: LatticeScalar> {
     whole_eliminations: u64,
 }
 
-/// The values that determine the size and the layout of a workspace.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct WorkspaceLayout {
     sizes: Sizes,
@@ -54,7 +51,6 @@ impl<T: LatticeScalar> StepWorkspace<T> {
     fn new(form: WorkspaceLayout) -> Self {
         let WorkspaceLayout { sizes, sites, boundary, partition, level } = form;
         let is_ring = boundary == Boundary::Periodic;
-        // This solver is used only if elimination in parts meets a pivot that is too small.
         let folded = if partition.is_some() { Folded::with_little_memory } else { Folded::new };
         Self {
             form,
@@ -92,8 +88,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
         Ok(())
     }
 
-    /// Solves A(x,ε)·w = `right` by eliminating the whole chain. Without `right`, solves A(x,ε)·w =
-    /// f(x).
+    /// Solves A(x,ε)·w = `right` by eliminating the whole chain. The default of `right` is f(x).
     fn solve<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -138,7 +133,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = PromiseCheck::new(&map, &eps, sites * sizes.block);
-        // An overflowing constant does not affect a step with a bound.
+        // Steps with a bound work even if a constant overflows.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
@@ -147,11 +142,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         Ok(Self { map, eps, forward, backward, form, memory, promise })
     }
 
-    /// Sets the instruction set of the steps, by default the highest of the processor. Returns
-    /// `None` if the processor lacks this instruction set.
-    ///
-    /// The instruction set affects the last bits of long chains of `f32` and `f64`, as in an
-    /// [`Ensemble`](crate::Ensemble).
+    /// Sets the instruction set of the steps, which affects the last bits of long chains. The
+    /// default is the highest of the processor. Returns `None` if the processor lacks the
+    /// instruction set.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
         self.memory = Mutex::new(StepWorkspace::new(self.form));
@@ -172,9 +165,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         &self.eps
     }
 
-    /// Returns the number of steps that eliminated the whole chain at once. In short chains, these
-    /// are all steps. In long chains, these are the steps in which a part had a pivot that is too
-    /// small.
+    /// Returns the number of steps that eliminated the whole chain at once. In a long chain, these
+    /// are the steps in which a part met a pivot that is too small.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
@@ -213,8 +205,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// of entries in row i of A, and u is the rounding unit. Steps over exact scalars are exact.
     ///
     /// # Errors
-    /// Fails at a pole, or if the state or x̃ is not finite. Also fails if no method reaches the
-    /// bound. The methods are two steps of refinement, and up to 4096 unknowns an elimination over
+    /// If the state is a pole, if the state or x̃ is not finite, or if no method reaches the bound.
+    /// The methods are two steps of refinement and, for at most 4096 unknowns, an elimination over
     /// many digits, which allocates.
     ///
     /// # Panics
@@ -251,7 +243,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             }
             least = bound.min(least);
             if turn < REFINEMENTS {
-                // Refinement starts at x if x̃ is not finite.
                 if !is_finite {
                     state.clone_from_slice(&promise.before);
                     promise.bound(map, state);
@@ -280,10 +271,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         failed(Reason::Refined, least * T::UNIT)
     }
 
-    /// Takes `steps` steps in place, without an import of [`Step`].
-    ///
-    /// Steps use the map's own workspace. A concurrent call from another thread allocates a
-    /// workspace.
+    /// Takes `steps` steps in place. A concurrent call from another thread allocates a workspace.
     ///
     /// # Panics
     /// Panics as [`step`](Self::step) does.
@@ -300,8 +288,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes `steps` steps. After each step, calls `visit` with the number of the step, from 1 on,
-    /// and the state.
+    /// Takes `steps` steps. After step k = 1, 2, …, calls `visit` with k and the state.
     ///
     /// # Panics
     /// Panics as [`step`](Self::step) does.
@@ -313,14 +300,13 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`, the
-    /// maximum of
+    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`. With b =
+    /// x + εBx + 2εc, the result is the maximum of
     ///
-    ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|)
+    ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|).
     ///
-    /// With b = x + εBx + 2εc, the numerator is |A x̃ − b|, and is 2ε times the defect in Kahan's
-    /// equation. Over an exact scalar the result is 0 only for the exact step. If a component is
-    /// NaN, the result is NaN.
+    /// The numerator is |A x̃ − b|. Over an exact scalar the result is 0 only for the exact step.
+    /// If a component is NaN, the result is NaN.
     ///
     /// # Panics
     /// If a state has the wrong length.

@@ -12,9 +12,9 @@ pub enum LatticeError {
     Undefined,
     /// A site parameter has the wrong number of values.
     SiteParameter {
-        /// The name that the family gives the parameter.
+        /// The name of the parameter.
         name: &'static str,
-        /// The number of values that the parameter has.
+        /// The number of values of the parameter.
         given: usize,
         /// The number of sites, which is the expected number of values.
         sites: usize,

@@ -1,10 +1,9 @@
-//! The boundary condition of a chain, and the sizes of a family's equations, as values and as a
-//! type.
+//! The boundary condition of a chain, and the sizes of a family's equations.
 
 /// The boundary condition of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
-    /// After the last site follows site 0.
+    /// Site 0 follows the last site.
     Periodic,
     /// States and parameters beyond the ends of the chain are 0.
     Open,
@@ -25,7 +24,7 @@ pub struct Sizes {
     pub upper: usize,
     /// The number of scratch numbers for the equations of one site.
     pub registers: usize,
-    /// The number of scratch registers for the equations of one site in each SIMD lane.
+    /// The number of scratch registers for the equations of one site in SIMD lanes.
     pub registers_abreast: usize,
 }
 
@@ -43,8 +42,8 @@ pub struct Sizes {
 /// | `WIDTH` | `LOWER` + 1 + `UPPER`, the number of entries in a row of the band |
 ///
 /// Array b of site i has row (i, b). The entry of this row in the column of array b′ of site i + o
-/// lies o·B + b′ − b to the right of the diagonal. `SITES` and `WIDTH` follow from the other sizes,
-/// but array lengths cannot be computed from type parameters. Wrong values do not compile.
+/// lies o·B + b′ − b to the right of the diagonal. Wrong values of `SITES` or `WIDTH` do not
+/// compile.
 #[derive(Clone, Copy, Debug)]
 pub struct Stencil<
     const B: usize,
@@ -68,7 +67,7 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// The sizes of the type as values.
+    /// The sizes as values.
     pub const SIZES: Sizes = {
         assert!(B > 0 && R > 0 && SITES == 2 * R + 1 && WIDTH == LOWER + 1 + UPPER);
         assert!(LOWER < (R + 1) * B && UPPER < (R + 1) * B);

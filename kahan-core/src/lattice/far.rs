@@ -1,6 +1,5 @@
-//! The step of a chain whose matrix entries or pivots exceed the range of its scalar.
-//!
-//! In: a state and ε. Out: x̃ from one elimination over long numbers, without a check of its error.
+//! The step of a chain with numbers beyond the range of the scalar, by one elimination over long
+//! numbers.
 
 use std::vec::Vec;
 
@@ -10,10 +9,10 @@ use super::folded::Folded;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-/// The maximum number of unknowns. Each unknown needs some kilobytes.
+/// The maximum number of unknowns, each of which needs some kilobytes.
 const MOST_UNKNOWNS: usize = 1 << 12;
 
-/// Computes x̃ over long numbers, to which `long` converts the numbers of T.
+/// Computes x̃ over long numbers. `long` converts numbers of T to long numbers.
 pub(super) fn eliminated<M: LatticeMap<T>, T: LatticeScalar>(
     map: &M,
     eps: &T,

@@ -1,10 +1,9 @@
 //! Solves a banded system, cyclic or not, by one elimination with partial pivoting.
 //!
-//! In: the rows of a square system, requested one at a time. Out: the solution. A cyclic band of
-//! half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order 0, n−1, 1, n−2,
-//! …. Entries in one place are added; therefore a ring may be shorter than its band. A solver that
-//! is rarely used stores only one range of columns of U. Back substitution then eliminates each
-//! range again.
+//! A cyclic band of half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order
+//! 0, n−1, 1, n−2, …. Entries in one place are added; therefore a ring may be shorter than its
+//! band. To save memory, a solver may store few rows of U at once, and eliminate again during back
+//! substitution.
 
 use std::vec;
 use std::vec::Vec;
@@ -13,9 +12,7 @@ use crate::Scalar;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) enum EliminationOrder {
-    /// The unknowns in the order 0, 1, 2, ….
     Natural,
-    /// The n unknowns in the order 0, n−1, 1, n−2, ….
     Folded,
 }
 
@@ -41,13 +38,13 @@ pub(super) struct Folded<T> {
     order: EliminationOrder,
     len: usize,
     lower: usize,
-    /// The number of entries in a row, counted from its pivot on: `lower` + 1 + `upper`.
+    /// The number of entries in a row, from the pivot on: `lower` + 1 + `upper`.
     width: usize,
-    /// The length of a stretch, a range of columns whose rows of U are stored at once.
+    /// The number of columns whose rows of U are stored at once.
     stretch: usize,
-    /// The `lower` + 1 rows from which the next pivot is chosen, each with its right-hand side.
+    /// The `lower` + 1 rows from which the next pivot is chosen, with their right-hand sides.
     window: Vec<T>,
-    /// The finished rows of U in a stretch, stored in the layout of `window`.
+    /// The finished rows of U for `stretch` columns, stored in the layout of `window`.
     done: Vec<T>,
     /// The contents of `window` at the start of each stretch.
     begun: Vec<T>,
@@ -74,13 +71,12 @@ impl<T: Scalar> BandRow<'_, T> {
 }
 
 impl<T: Scalar> Folded<T> {
-    /// Allocates for a band of these bandwidths, which is cyclic if `is_ring` is true.
+    /// Allocates for a band of these bandwidths. `is_ring` makes the band cyclic.
     pub(super) fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         Self::in_stretches(len, is_ring, lower, upper, len)
     }
 
-    /// Allocates as [`new`](Self::new) does, but little memory. A long chain then takes about twice
-    /// the work.
+    /// Allocates little memory. A long chain then takes about twice the work.
     pub(super) fn with_little_memory(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         const WINDOWS: usize = 64;
         let window = 2 * lower.max(upper) + 1;
@@ -110,8 +106,8 @@ impl<T: Scalar> Folded<T> {
         }
     }
 
-    /// Solves the system. `write` adds the entries of a row to zeros, and may be called twice for a
-    /// row. Returns `None` if an exact scalar has no nonzero pivot.
+    /// Solves the system. `write` fills a row of zeros, and may be called twice for a row. Returns
+    /// `None` if an exact scalar has no nonzero pivot.
     pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;
@@ -129,7 +125,6 @@ impl<T: Scalar> Folded<T> {
         Some(&self.solution)
     }
 
-    /// Eliminates the columns of the stretch that starts at `begin`.
     fn eliminate_stretch(
         &mut self,
         begin: usize,
@@ -138,8 +133,6 @@ impl<T: Scalar> Folded<T> {
         let stride = self.width + 1;
         let mut rows = if begin == 0 { 0 } else { self.len.min(begin + self.lower) };
         for place in begin..self.len.min(begin + self.stretch) {
-            // Appends all rows with an entry in this column. The window is full except near the
-            // end.
             while rows < self.len && rows <= place + self.lower {
                 let entries = &mut self.window[(rows - place) * stride..][..stride];
                 entries.fill(T::zero());
@@ -193,8 +186,7 @@ impl<T: Scalar> Folded<T> {
         Some(())
     }
 
-    /// Computes the unknowns of a stretch by back substitution. The unknowns after it must be
-    /// known.
+    /// Computes the unknowns of a stretch by back substitution. The later unknowns must be known.
     fn substitute(&mut self, begin: usize) {
         let (width, stride) = (self.width, self.width + 1);
         for place in (begin..self.len.min(begin + self.stretch)).rev() {
@@ -215,8 +207,8 @@ mod tests {
 
     use super::Folded;
 
-    /// Returns an entry of a band in which every third diagonal entry is 0; therefore rows must be
-    /// exchanged.
+    /// Returns an entry of a band that requires row exchanges, because every third diagonal entry
+    /// is 0.
     fn entry(row: usize, offset: isize) -> f64 {
         if offset == 0 && row % 3 == 1 { 0.0 } else { ((row * 7 + 3) as f64 * 0.1 + offset as f64).sin() }
     }
@@ -240,7 +232,6 @@ mod tests {
             let whole = solved(&mut Folded::new(len, is_ring, reach, reach), len, is_ring, reach as isize);
             for stretch in [1, 7, 13, 64, 999] {
                 let mut folded = Folded::in_stretches(len, is_ring, reach, reach, stretch);
-                // The second solution reuses the memory of the first.
                 for _ in 0..2 {
                     let parts = solved(&mut folded, len, is_ring, reach as isize);
                     assert!(parts == whole, "{len} {is_ring} {reach} {stretch}");
@@ -254,8 +245,6 @@ mod tests {
         let (len, reach) = (1_000_000, 17);
         let folded = Folded::<f64>::with_little_memory(len, true, reach, reach);
         let numbers = [&folded.window, &folded.done, &folded.begun, &folded.solution].map(Vec::len);
-        // There is one solution, and for every 64·35 unknowns a window of 2·17 + 1 rows of 4·17 + 2
-        // numbers.
         assert!(numbers.iter().sum::<usize>() < 3 * len, "{numbers:?}");
     }
 }

@@ -1,7 +1,7 @@
-//! A family as a map of chains, with its names, integrals and equations.
+//! A family as a map of chains, with the names, integrals and equations of the family.
 //!
-//! In: prepared constants, and the states and parameters of a site and its neighbours. Out: the
-//! site's field and its rows of A(x,ε) = I − εf′(x), over numbers, SIMD lanes or numbers with error
+//! From the states and parameters of a site and its neighbours, a family computes the site's field
+//! and rows of A(x,ε) = I − εf′(x). The numbers may be scalars, SIMD lanes or numbers with error
 //! bounds.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
@@ -18,7 +18,7 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 ///
 /// A state is stored site by site with interleaved arrays. Array b of site i has index
 /// i·[`BLOCK`](Self::BLOCK) + b. **ε is half the time step.** For a block with a family, the macro
-/// implements this trait from the equations of one site, which hold at all sites.
+/// implements this trait from the equations of one site.
 ///
 /// With R = [`Sizes::reach`], the equations of site i get these arguments:
 /// - `constants`: the result of the method `constants`, with each number as an `L`;
@@ -27,7 +27,7 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 /// - `registers`: [`Sizes::registers`] numbers of scratch memory.
 ///
 /// In a short cyclic chain, one site may occur several times in `x`; its results are then added.
-/// Implementations are `#[inline(always)]` without closures; only then lanes get target features.
+/// Implementations must be `#[inline(always)]` without closures.
 #[expect(private_bounds, reason = "the kernels of a chain are nobody else's")]
 pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// The names of the arrays, in their order within a site.
@@ -42,8 +42,7 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
 
     /// The names of the linear integrals. The list is empty for a family read at run time.
     const INTEGRALS: &'static [&'static str] = &[];
-    /// The name of the Hamiltonian H, if the family is ẋ = K∇H with a constant antisymmetric matrix
-    /// K.
+    /// The name of the Hamiltonian H, if the family is ẋ = K∇H with constant antisymmetric K.
     const HAMILTONIAN: Option<&'static str> = None;
 
     /// Prepares the map at ε, half the time step, for `sites` sites, and allocates all memory.
@@ -52,8 +51,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     ///
     /// # Errors
     /// If `sites` is 0, a site parameter has another number of values, or the equations divide by
-    /// zero. If constants merely overflow T, there is no error. Plain steps then give infinities or
-    /// NaNs, and steps with a bound are unaffected.
+    /// zero. Constants that overflow T are no error. Plain steps then give infinities or NaNs, and
+    /// steps with a bound are unaffected.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         for (index, name) in Self::SITE_PARAMETERS.iter().enumerate() {
             let given = self.site_parameter(index).len();
@@ -85,9 +84,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     #[doc(hidden)]
     fn boundary(&self) -> Boundary;
 
-    /// Returns the constants of the equations: ε, the plain parameters, and products of both.
-    /// `convert` maps a parameter to the scalar L. Returns `None` if a divisor is zero and has no
-    /// reciprocal.
+    /// Returns ε, the plain parameters, and products of both, or `None` if a divisor has no
+    /// reciprocal. `convert` maps a parameter to the scalar L.
     #[doc(hidden)]
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>>;
 
@@ -100,7 +98,7 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// Computes the field at a site, and the site's rows of A(x,ε) = I − ε f′(x).
     ///
     /// `f[b]` is the derivative of array b. `a` has (2R + 1)·B entries for each array b, in the
-    /// order of `x` and initially zero. Only entries that are not identically zero are written.
+    /// order of `x` and initially zero. Entries that are identically zero are not written.
     #[doc(hidden)]
     fn rows<L: Scalar>(
         &self,
@@ -145,8 +143,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         Self::INTEGRALS.len()
     }
 
-    /// Computes the densities at a site: those of the integrals, then that of the Hamiltonian, if
-    /// the family has one. The arguments are those of [`rows`](Self::rows).
+    /// Computes the densities of the integrals and of the Hamiltonian at a site. The arguments are
+    /// those of [`rows`](Self::rows).
     #[doc(hidden)]
     fn densities<L: Scalar>(&self, _constants: &[L], _x: &[L], _c: &[L], _registers: &mut [L], _s: &mut [L]) {
     }

@@ -1,10 +1,9 @@
 //! Chains of any number of sites. Each site has one equation and is coupled to a few neighbours.
 //!
-//! In: the equations of one site, from a family `for i in periodic { … }`. Out: steps of the whole
-//! chain. A(x,ε) is banded, with corners if periodic; solving allocates nothing. `StepWorkspace`
-//! eliminates a short chain at once (`folded.rs`). It divides a long chain into parts, whose two
-//! passes (`parts/first_pass.rs`, `parts/second_pass.rs`) run in SIMD lanes and on threads.
-//! `Kernels` selects the code for the family's sizes.
+//! A family `for i in periodic { … }` gives the equations of one site. A(x,ε) is banded, with
+//! corners if the chain is periodic. A short chain is eliminated at once (`folded`). A long chain
+//! is divided into parts, whose two passes run in SIMD lanes and on threads (`parts`). `Kernels`
+//! selects the code for the family's sizes.
 
 mod at;
 

@@ -1,9 +1,8 @@
 //! The step of a chain with a small backward error.
 //!
-//! In: a state x and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
-//! unknown i, or the reason for failure. Row i of A has k entries, and u is the rounding unit. At
-//! most two steps of iterative refinement compute residuals in wider numbers with error bounds. The
-//! residual is b − A·x̃ = 2εf − A·(x̃ − x), because b = A·x + 2εf.
+//! A step succeeds if |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i. Row i of A has
+//! k entries, and u is the rounding unit. At most two steps of iterative refinement compute the
+//! residual b − A·x̃ = 2εf − A·(x̃ − x) in wider numbers with error bounds.
 
 use core::cell::Cell;
 use std::vec;
@@ -22,8 +21,7 @@ use super::{LatticeMap, LatticeScalar};
 pub(super) const REFINEMENTS: usize = 2;
 
 pub(super) struct PromiseCheck<T: LatticeScalar> {
-    /// The equations over `T::BoundedWorking`, `None` if a divisor in the constants is too small
-    /// for these numbers.
+    /// The equations over `T::BoundedWorking`, `None` if a divisor in the constants is too small.
     near: Option<BoundedRows<T::BoundedWorking>>,
     /// The equations over `T::BoundedWide`, `None` if a divisor in the constants may be zero.
     far: Option<BoundedRows<T::BoundedWide>>,
@@ -43,8 +41,8 @@ struct BoundedRows<J> {
 struct Residual<T> {
     /// The residual b − A·x̃ in this row, rounded to T.
     residual: T,
-    /// An upper bound of the backward error as a multiple of (k + 8)·u, infinite if no bound is
-    /// known. Row i of A has k entries, and u is the rounding unit.
+    /// An upper bound of the backward error as a multiple of (k + 8)·u, where the row has k entries
+    /// and u is the rounding unit. The bound is infinite if unknown.
     bound: f64,
 }
 
@@ -75,8 +73,8 @@ impl<T: LatticeScalar> PromiseCheck<T> {
         self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))
     }
 
-    /// Bounds the backward error of `next` and stores the residual. The bound is a multiple of (k +
-    /// 8)·u, where k is the number of entries in a row of A, and u is the rounding unit.
+    /// Stores the residual of `next`, and returns a bound of the backward error as a multiple of
+    /// (k + 8)·u. A row of A has k entries, and u is the rounding unit.
     pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
         let Self { near, far: Some(far), before, residual, .. } = self else {
             return f64::INFINITY;
@@ -108,7 +106,8 @@ impl<J: Scalar> BoundedRows<J> {
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
-    /// Computes residual and backward error in row b of this site. `largest` bounds all inputs.
+    /// Computes the residual and the backward error in row b of this site. All inputs are ≤
+    /// `largest`.
     fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Residual<T>
     where
         M: LatticeMap<T>,

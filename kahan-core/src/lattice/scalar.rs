@@ -1,4 +1,4 @@
-//! The scalars of chains, and for each the number types that solve a step and bound its error.
+//! The scalars of chains, with the number types that solve a step and bound the error.
 
 #[cfg(feature = "exact")]
 use num_traits::Zero;
@@ -22,25 +22,23 @@ use super::parts::{NoPartSolver, PartSolver, PartWorkspace};
 )]
 #[expect(private_bounds, reason = "what judges a step is no scalar that others could give")]
 pub trait LatticeScalar: Pivot + ChainArithmetic + Send + Sync {
-    /// Returns the absolute value |self|.
+    /// Returns |self|.
     fn absolute(&self) -> Self;
 }
 
 /// The types that solve the steps of a scalar's chains and bound the errors of these steps.
 pub(super) trait ChainArithmetic: Sized {
-    /// The wider numbers with error bounds that are tried first.
+    /// The numbers with error bounds that are tried first.
     type BoundedWorking: BoundedScalar<Self>;
 
     type Parts: PartSolver<Self>;
 
-    /// The widest numbers with error bounds, which never underflow. The widest numbers decide the
-    /// cases that `BoundedWorking` leaves undecided.
+    /// The widest numbers with error bounds, which never underflow. They are tried last.
     type BoundedWide: BoundedScalar<Self>;
 
-    /// The rounding unit u, which is 0 for an exact scalar.
     const UNIT: f64;
 
-    /// Computes x̃ by elimination over long numbers. Returns `None` for exact scalars and for very
+    /// Computes x̃ by elimination over long numbers, or returns `None` for exact scalars and very
     /// long chains.
     fn eliminated<M: LatticeMap<Self>>(
         _map: &M,
@@ -57,11 +55,9 @@ pub(super) trait ChainArithmetic: Sized {
 
 /// Numbers with error bounds, in which formulas over T are evaluated.
 pub(super) trait BoundedScalar<T>: Scalar {
-    /// Converts a number exactly.
     fn from_input(number: &T) -> Self;
 
-    /// Returns the number of T nearest to the value, and the magnitude and the error bound of the
-    /// value.
+    /// Returns the nearest number of T, and the magnitude and the error bound of the value.
     fn known(&self) -> (T, KnownBounds<Size>);
 }
 

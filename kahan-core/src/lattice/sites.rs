@@ -1,7 +1,4 @@
-//! The equations at one site.
-//!
-//! In: a state and a site. Out: f at the site and the site's rows of A(x,ε), each entry with its
-//! column.
+//! The equations at one site: f and the site's rows of A(x,ε), each entry with its column.
 
 use std::vec;
 use std::vec::Vec;
@@ -10,7 +7,7 @@ use crate::Scalar;
 
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-/// Returns the neighbour of site i at this offset, `None` if it lies beyond an open end.
+/// Returns the neighbour of site i at this offset, or `None` beyond an open end.
 pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
     let place = i as isize + offset;
     match boundary {
@@ -43,8 +40,7 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Gathers the neighbourhood of site i. `convert` converts its states, and `given` its
-    /// parameters.
+    /// Gathers the neighbourhood of site i. `convert` converts states, and `given` parameters.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,
@@ -102,8 +98,7 @@ impl<L: Scalar> Site<L> {
         &self.f[b]
     }
 
-    /// Iterates over the entries of row b with their columns. Entries beyond open ends are left
-    /// out.
+    /// Iterates over the entries of row b with their columns, without entries beyond open ends.
     pub(super) fn entries<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,

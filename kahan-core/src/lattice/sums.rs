@@ -1,7 +1,6 @@
-//! Integrals of a family, which are sums over all sites.
+//! The linear integrals, the energy, and the modified energy that the map conserves.
 //!
-//! In: a state. Out: the linear integrals, the energy, and the modified energy that the map
-//! conserves. All sums use compensated summation (A. Neumaier, ZAMM 54 (1974) 39–51).
+//! All sums over sites use compensated summation (A. Neumaier, ZAMM 54 (1974) 39–51).
 
 use std::vec;
 use std::vec::Vec;
@@ -74,11 +73,11 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         total.sum()
     }
 
-    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x) for the Hamiltonian H. The map conserves this
-    /// modified energy if H has degree at most three, which the macro has proved (E. Celledoni, R.
-    /// I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013) 025201).
+    /// Returns the modified energy H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x) for the Hamiltonian H. The
+    /// map conserves this energy if H has degree at most three (E. Celledoni, R. I. McLachlan, B.
+    /// Owren, G. R. W. Quispel, J. Phys. A 46 (2013) 025201).
     ///
-    /// The cost is one step, because x̃ − x = 2ε A⁻¹ f, and a copy of the state.
+    /// The cost is one step and a copy of the state.
     ///
     /// # Panics
     /// Panics as [`step`](Self::step) does.

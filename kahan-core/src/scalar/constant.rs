@@ -1,8 +1,7 @@
 //! Exact rational literals as data.
 //!
-//! In: the numbers of a field, written by the macro or read at run time. Out: the exact ratio, or
-//! the nearest `f32`, `f64` or double-double. Each result is rounded once. Small ratios are rounded
-//! by a division, and long ratios in advance by the writer of the data.
+//! The macro writes these numbers, or a program reads them at run time. They convert to the exact
+//! ratio, or to the nearest `f32`, `f64` or double-double, with a single rounding.
 
 use super::wide::Digits;
 
@@ -13,8 +12,7 @@ pub struct Constant<'a>(ConstantForm<'a>);
 #[derive(Clone, Copy, Debug)]
 enum ConstantForm<'a> {
     Integer(i64),
-    /// Numerator and denominator are at most 2²⁴ and exact in `f32`. A single division then rounds
-    /// correctly to any float.
+    /// Numerator and denominator are at most 2²⁴, and therefore exact in `f32`.
     Ratio(i64, i64),
     Long(LongRatio<'a>),
 }
@@ -29,20 +27,20 @@ struct LongRatio<'a> {
     low: f64,
 }
 
-/// The largest numerator and the largest denominator of [`Constant::ratio`].
+/// The largest absolute value of a numerator or denominator of [`Constant::ratio`].
 const RATIO_LIMIT: u64 = 1 << 24;
 
 impl<'a> Constant<'a> {
-    /// Creates the integer n as a constant.
+    /// Creates the integer n.
     #[inline(always)]
     pub const fn integer(n: i64) -> Self {
         Self(ConstantForm::Integer(n))
     }
 
-    /// Creates the ratio p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
+    /// Creates p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
     ///
     /// # Panics
-    /// If p or q is outside of that range. In a constant, the panic occurs at compile time.
+    /// If p or q is out of range. In a constant, the panic occurs at compile time.
     #[inline(always)]
     pub const fn ratio(p: i64, q: i64) -> Self {
         assert!(
@@ -52,11 +50,11 @@ impl<'a> Constant<'a> {
         Self(ConstantForm::Ratio(p, q))
     }
 
-    /// Creates ±numerator/denominator from little-endian 64-bit limbs, together with the rounded
-    /// values.
+    /// Creates ±numerator/denominator from little-endian 64-bit limbs, and from rounded values.
     ///
-    /// `single` and `double` are the nearest floats, and `low` is the `f64` nearest to the
-    /// remainder. All three must have the sign of the number. The denominator must be nonzero.
+    /// `single` is the nearest `f32`, `double` is the nearest `f64`, and `low` is the `f64` nearest
+    /// to the remainder. All three must have the sign of the number. The denominator must be
+    /// nonzero.
     #[inline(always)]
     pub const fn exact(
         negative: bool,
@@ -95,14 +93,11 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// Returns (high, low). `high` is the nearest `f64`, and `low` is the `f64` nearest to the
-    /// remainder.
+    /// Returns the nearest `f64`, and the `f64` nearest to the remainder.
     #[inline(always)]
     pub const fn to_double_double(&self) -> (f64, f64) {
         let high = self.to_f64();
         let low = match self.0 {
-            // Both integers are below 2⁶⁵ in absolute value, and an `f64` represents their
-            // difference.
             ConstantForm::Integer(n) => (n as i128 - high as i128) as f64,
             ConstantForm::Ratio(p, q) => remainder(p as f64, q as f64, high) / q as f64,
             ConstantForm::Long(long) => long.low,
@@ -110,7 +105,7 @@ impl<'a> Constant<'a> {
         (high, low)
     }
 
-    /// Returns the number, which is exact unless numerator or denominator has too many digits.
+    /// Returns the number, rounded only if numerator or denominator has too many digits.
     pub(crate) fn to_digits<const D: usize, const M: usize>(self) -> Digits<D, M> {
         match self.0 {
             ConstantForm::Integer(n) => Digits::from(n),
@@ -139,8 +134,8 @@ impl<'a> Constant<'a> {
 
 /// Returns p − q·quotient exactly. `quotient` is the float nearest to p/q, and |p|, q ≤ 2²⁴.
 ///
-/// `core` lacks a fused multiply-add. Therefore the quotient is split into 24 leading bits and at
-/// most 29 other bits, whose products with q are exact. The remainder is a float.
+/// Without a fused multiply-add in `core`, the quotient is split into 24 leading bits and the
+/// remaining bits. The products of both parts with q are exact.
 const fn remainder(p: f64, q: f64, quotient: f64) -> f64 {
     let leading = quotient as f32 as f64;
     let rest = quotient - leading;

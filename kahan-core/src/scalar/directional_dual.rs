@@ -1,7 +1,7 @@
-//! Dual numbers v + s·d with d² = 0 and one derivative s, which know whether they are constant.
+//! Dual numbers v + s·d with d² = 0: a value v and its derivative s along one direction.
 //!
-//! In: the closed form of a step. Out: its value and its derivative along one direction. Constants
-//! have no slope; therefore nothing is multiplied by 0, and compilers see this in an inlined step.
+//! A step over these numbers gives its value and its derivative along the direction. Constants
+//! have no derivative, which saves multiplications by 0.
 
 use num_traits::{One, Zero};
 
@@ -21,21 +21,19 @@ impl<T: Scalar> DirectionalDual<T> {
         Self { value, slope: None }
     }
 
-    /// Creates a number that compilers do not pack with other numbers, because shuffles would cost
-    /// more.
+    /// Creates a number whose parts are not packed, because shuffles would cost more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }
     }
 
-    /// Returns the derivative, which is 0 for a constant.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn into_slope(self) -> T {
         self.slope.unwrap_or_else(T::zero)
     }
 }
 
-/// Combines the slopes of two operands. A constant operand has no slope.
+/// Combines the derivatives of two operands, of which constants have none.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<T: Scalar>(
     slopes: [Option<T>; 2],
@@ -63,7 +61,7 @@ fn difference<T: Scalar>(a: DirectionalDual<T>, b: DirectionalDual<T>) -> Direct
     DirectionalDual::new(a.value - b.value, slope)
 }
 
-// The product rule is (uv)′ = u′v + uv′.
+// (uv)′ = u′v + uv′.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn product<T: Scalar>(a: DirectionalDual<T>, b: DirectionalDual<T>) -> DirectionalDual<T> {
     let (u, v) = (a.value, b.value);
@@ -72,7 +70,7 @@ fn product<T: Scalar>(a: DirectionalDual<T>, b: DirectionalDual<T>) -> Direction
     DirectionalDual::new(u * v, slope)
 }
 
-// The quotient rule is (u/v)′ = (u′ − (u/v)v′)/v. The function `over` divides by v.
+// (u/v)′ = (u′ − (u/v)v′)/v, where `over` divides by v.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn quotient<T: Scalar>(value: T, slopes: [Option<T>; 2], over: impl Fn(T) -> T) -> DirectionalDual<T> {
     let both = |a, b| over(a - value.clone() * b);
@@ -123,7 +121,7 @@ impl<T: Scalar> Scalar for DirectionalDual<T> {
         Self::from_value(self.value.clone())
     }
 
-    // The derivative is (1/v)′ = −v′/v². A nonzero number with value 0 has no reciprocal.
+    // (1/v)′ = −v′/v².
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
@@ -131,7 +129,6 @@ impl<T: Scalar> Scalar for DirectionalDual<T> {
         Some(Self::new(value, self.slope.clone().map(|slope| factor * slope)))
     }
 
-    // One reciprocal serves both value and slope.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn quotient(self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;

@@ -1,9 +1,8 @@
 //! Dual numbers v + g·d with d² = 0: a value v with its gradient g in N directions.
 //!
-//! In: the closed form of a step. Out: its value and exact derivatives. Only rational formulas are
-//! supported, because dual numbers have no order and no roots. In optimised builds operators are
-//! always inlined, and steps over lanes stay in registers. In other builds operators are calls,
-//! because inlining would enlarge stack frames.
+//! A step over dual numbers gives its value and exact derivatives. Dual numbers have no order and
+//! no roots. Operators are always inlined in optimised builds, where steps over lanes stay in
+//! registers.
 
 use core::array::from_fn;
 use core::ops::Neg;
@@ -27,8 +26,8 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
         Self { value, gradient: from_fn(|_| T::zero()) }
     }
 
-    /// Creates the coordinate of direction `i`. The derivative of the coordinate is 1 along `i` and
-    /// 0 along the other directions.
+    /// Creates the coordinate of direction `i`: its derivative is 1 along `i`, and 0 along the
+    /// other directions.
     pub fn coordinate(value: T, i: usize) -> Self {
         Self { value, gradient: from_fn(|j| if i == j { T::one() } else { T::zero() }) }
     }
@@ -40,8 +39,8 @@ impl<const N: usize> From<f64> for Dual<f64, N> {
     }
 }
 
-/// Replaces each entry of a gradient by an expression. The expression contains the entry, and the
-/// entry of another gradient.
+/// Replaces each entry of a gradient by an expression, which may contain the entry of another
+/// gradient.
 macro_rules! along {
     ($dual:expr, |$own:ident| $value:expr) => {
         for $own in &mut $dual.gradient {
@@ -67,7 +66,7 @@ fn difference<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Du
     Dual { value: a.value - b.value, gradient: a.gradient }
 }
 
-// The product rule is (uv)′ = u′v + uv′.
+// (uv)′ = u′v + uv′.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn product<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<T, N> {
     let (u, v) = (a.value, b.value);
@@ -75,7 +74,7 @@ fn product<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<
     Dual { value: u * v, gradient: a.gradient }
 }
 
-// The quotient rule is (u/v)′ = (u′ − (u/v)v′)/v.
+// (u/v)′ = (u′ − (u/v)v′)/v.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn ratio<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<T, N> {
     let value = a.value / b.value.clone();
@@ -117,7 +116,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Self::from_value(T::constant(c))
     }
 
-    // The derivative is (1/v)′ = −v′/v². A nonzero dual number with value 0 has no reciprocal.
+    // (1/v)′ = −v′/v².
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
@@ -127,7 +126,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Some(result)
     }
 
-    // The quotient rule (u/v)′ = (u′ − (u/v)v′)/v needs one reciprocal for the whole gradient.
+    // One reciprocal serves the value and the whole gradient.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn quotient(mut self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;

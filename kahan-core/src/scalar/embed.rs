@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::Scalar;
 
 /// A scalar that the `embed` method of a lift accepts, `f32` or `f64`. Elementary functions are
-/// computed in `f64`. For `f32` the results are rounded once.
+/// computed in `f64`.
 #[diagnostic::on_unimplemented(
     message = "`embed` has values in `f32` and `f64`, not in `{Self}`",
     note = "embed a point of `f64`, then convert the numbers of the result"
@@ -13,7 +13,7 @@ use crate::Scalar;
 pub trait EmbedScalar: Scalar + Copy {
     /// Returns the number converted to `f64`.
     fn widened(self) -> f64;
-    /// Returns the number of this type that is nearest to `value`.
+    /// Returns the nearest number of this type.
     fn narrowed(value: f64) -> Self;
 }
 
@@ -54,7 +54,7 @@ pub fn components_in_f64<T: EmbedScalar, const N: usize>(x: &SVector<T, N>) -> [
     core::array::from_fn(|i| x[i].widened())
 }
 
-/// Creates the point of a lift, which holds the states, then the new variables.
+/// Creates the point of a lift, which consists of the states and the new variables.
 pub fn embedded<T: EmbedScalar, const N: usize, const NEW: usize, const M: usize>(
     x: &SVector<T, N>,
     new: [f64; NEW],
@@ -62,7 +62,7 @@ pub fn embedded<T: EmbedScalar, const N: usize, const NEW: usize, const M: usize
     SVector::from_fn(|i, _| if i < N { x[i] } else { T::narrowed(new[i - N]) })
 }
 
-/// Returns the states of a lift's point, which are the first components of the point.
+/// Returns the states, which are the first components of a lift's point.
 pub fn projected<T: Scalar, const M: usize, const N: usize>(x: &SVector<T, M>) -> SVector<T, N> {
     SVector::from_fn(|i, _| x[i].clone())
 }

@@ -5,19 +5,17 @@ use crate::FloatScalar;
 /// Returns the number nearest to `eps` with at most a third of the scalar's bits: 8 for `f32`, 17
 /// for `f64`, 35 for `Dd`. Square and cube of the result are exact.
 ///
-/// A step may use ε, ε² and ε³, each computed once and rounded. A rounded ε is still a half time
-/// step, and its map conserves its own integrals. But the rounded ε² is not the square of the
-/// rounded ε, and the step belongs to no ε. The error is equal in every step. Therefore integrals
-/// drift in proportion to the number of steps, even in compensated orbits. Exact powers avoid this
-/// drift.
+/// A step may use ε, ε² and ε³, each computed once and rounded. If the rounded ε² is not the square
+/// of the rounded ε, the step belongs to no ε. The error is equal in every step. Therefore
+/// integrals drift in proportion to the number of steps, even in compensated orbits. Exact powers
+/// avoid this drift.
 ///
-/// The drift matters in long runs of systems whose step multiplies parameters by powers of ε. Long
-/// means about 10⁷ steps in `f64`, or 10⁵ steps in `f32`. The integrals of the Euler top drift at ε
-/// = 0.05, but not at ε = 3/64. The result differs from `eps` by a relative 2⁻¹⁷ at most, in `f32`
-/// by 2⁻⁸.
+/// The drift matters after about 10⁷ steps in `f64`, or 10⁵ steps in `f32`, if the step multiplies
+/// parameters by powers of ε. The integrals of the Euler top drift at ε = 0.05, but not at ε =
+/// 3/64. The result differs from `eps` by a relative 2⁻¹⁷ at most, in `f32` by 2⁻⁸.
 ///
-/// A short ε does not help if the product of a parameter and ε is rounded. It does not help in
-/// compositions either, because their stages have other step sizes. For a homogeneous field
+/// A short ε does not help if the product of a parameter and ε is rounded, or in compositions,
+/// whose stages have other step sizes. For a homogeneous field
 /// [`Orbit::scaled`](crate::Orbit::scaled) removes ε altogether. Infinities and NaN are returned
 /// unchanged. A subnormal ε keeps fewer bits.
 ///

@@ -1,4 +1,4 @@
-//! Rationals of any size as scalars, with exact results. Zero has no reciprocal.
+//! Rationals of any size as scalars.
 
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -10,7 +10,6 @@ impl Scalar for BigRational {
         c.to_ratio()
     }
 
-    /// Divides directly, because a reciprocal would cost as much as the quotient.
     fn quotient(self, divisor: Self) -> Option<Self> {
         if divisor.is_zero() { None } else { Some(self / divisor) }
     }

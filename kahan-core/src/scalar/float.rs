@@ -1,8 +1,7 @@
 //! `f32` and `f64` as scalars.
 //!
-//! Every number has a reciprocal, which is ±∞ at ±0. Therefore nothing branches or panics, and
-//! results at poles are infinite or NaN. A multiply-add is two operations, with equal bits on every
-//! processor. Programs compiled for x86-64 with the target feature `fma` fuse it.
+//! Every number has a reciprocal, which is ±∞ at ±0. Results at poles are therefore infinite or
+//! NaN. Multiply-adds are fused only in programs compiled for x86-64 with the target feature `fma`.
 
 use super::{Constant, Scalar};
 

@@ -1,4 +1,4 @@
-//! Scalars that round their results, and rounding to so few bits that the cube is exact.
+//! Scalars that round their results.
 
 use super::{Dd, Scalar};
 
@@ -10,8 +10,7 @@ use super::{Dd, Scalar};
     note = "an exact scalar has no rounding error to carry, and the coefficients of the compositions are irrational"
 )]
 pub trait FloatScalar: Scalar + Copy {
-    /// The number of bits whose cube fits the scalar, which is 8 for `f32`, 17 for `f64`, 35 for
-    /// `Dd`.
+    /// The number of bits of numbers whose cubes are exact: 8 for `f32`, 17 for `f64`, 35 for `Dd`.
     const SHORT_BITS: u32;
 
     /// Returns the nearest number with at most [`SHORT_BITS`](Self::SHORT_BITS) significant bits.
@@ -26,8 +25,7 @@ macro_rules! implement_for_float {
 
             /// Rounds ties away from zero, but never to infinity.
             fn nearest_short(self) -> Self {
-                // Adjacent bit patterns are adjacent numbers, and therefore rounding the pattern
-                // suffices.
+                // Adjacent bit patterns are adjacent numbers.
                 let dropped = <$float>::MANTISSA_DIGITS - Self::SHORT_BITS;
                 let (unit, half) = (1 << dropped, 1 << (dropped - 1));
                 let cut = |bits| <$float>::from_bits(bits & !(unit - 1));
@@ -57,7 +55,7 @@ impl FloatScalar for Dd {
         if !high.is_finite() {
             return self;
         }
-        // In the middle between two short numbers, the sign of the low part decides.
+        // In a tie, the sign of the low part decides.
         let below_middle = self.low() != 0.0 && (self.low() > 0.0) != (high > 0.0);
         let cut = |bits: u64| f64::from_bits(bits & !(UNIT - 1));
         let nearest = cut(high.to_bits() + (UNIT / 2 - u64::from(below_middle)));

@@ -1,8 +1,8 @@
-//! Truncated Laurent series in δ: sums Σ cₖδᵏ from some k on, which may be negative, up to O(δᵉ).
+//! Truncated Laurent series Σ cₖδᵏ + O(δᵉ), in which k may be negative.
 //!
-//! In: a formula at a point shifted by δ. Out: the formula's limit as δ → 0, even if the formula is
-//! infinite or undefined at δ = 0. Known coefficients over an exact scalar are exact. Cancellation
-//! shortens a series, possibly until no term is known.
+//! A formula at a point shifted by δ gives the formula's limit as δ → 0, even at a pole.
+//! Coefficients over an exact scalar are exact. Cancellation shortens a series, possibly until no
+//! term is known.
 
 use core::ops::Neg;
 use std::vec::Vec;
@@ -13,14 +13,11 @@ use super::{Constant, Scalar, operators};
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Laurent<T> {
-    /// An exact number, without higher powers of δ.
     Number(T),
-    /// The series Σ terms\[k\]·δ^(start + k) + O(δ^(start + number of terms)). The first term is
-    /// not 0.
+    /// The series Σ terms\[k\]·δ^(start + k) + O(δ^(start + number of terms)), terms\[0\] ≠ 0.
     Series {
-        /// The power of the first term. Without terms, this is the power e in O(δᵉ).
+        /// The power of the first term. Without terms, this is the exponent in O(δ^start).
         start: i64,
-        /// The coefficients of δ^start and of the following powers.
         terms: Vec<T>,
     },
 }
@@ -28,14 +25,13 @@ pub(crate) enum Laurent<T> {
 use Laurent::{Number, Series};
 
 impl<T: Scalar> Laurent<T> {
-    /// Returns δ as a series with this many known terms.
+    /// Returns δ as a series of this many terms.
     pub(crate) fn delta(terms: usize) -> Self {
         let terms = (0..terms.max(1)).map(|k| if k == 0 { T::one() } else { T::zero() });
         Series { start: 1, terms: terms.collect() }
     }
 
-    /// Returns the lowest power with a known nonzero coefficient, or `None` if all known
-    /// coefficients are zero.
+    /// Returns the lowest power with a nonzero coefficient, or `None` if none is known.
     pub(crate) fn order(&self) -> Option<i64> {
         match self {
             Number(number) => (!number.is_zero()).then_some(0),
@@ -51,7 +47,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Returns the power from which on coefficients are unknown, or `None` for a number.
+    /// Returns the lowest power with an unknown coefficient, or `None` for a number.
     fn end(&self) -> Option<i64> {
         match self {
             Number(_) => None,
@@ -59,7 +55,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Returns the coefficient of a power of δ, or `None` if the coefficient is unknown.
+    /// Returns the coefficient of a power of δ, or `None` if unknown.
     pub(crate) fn coefficient(&self, power: i64) -> Option<T> {
         match self {
             Number(number) => Some(if power == 0 { number.clone() } else { T::zero() }),
@@ -68,7 +64,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Creates a series whose first term has the power `start`, and drops leading zeros.
+    /// Creates a series from the power and the coefficients of its first terms.
     fn of(start: i64, mut terms: Vec<T>) -> Self {
         let zeros = terms.iter().take_while(|term| term.is_zero()).count();
         terms.drain(..zeros);
@@ -102,7 +98,6 @@ fn sum<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     }
     let end = a.end().into_iter().chain(b.end()).min().unwrap_or(0);
     let start = a.start().min(b.start()).min(end);
-    // In both series, every coefficient below `end` is known.
     let coefficient = |one: &Laurent<T>, power| one.coefficient(power).unwrap_or_else(T::zero);
     Laurent::of(start, (start..end).map(|k| coefficient(&a, k) + coefficient(&b, k)).collect())
 }
@@ -176,7 +171,7 @@ impl<T: Scalar> Scalar for Laurent<T> {
         Some(self / divisor)
     }
 
-    /// Prefers the lower order, because a division by it loses fewer terms.
+    /// Prefers the lower order, because divisions by such a series lose fewer terms.
     fn is_better_pivot(&self, than: &Self) -> bool {
         match (self.order(), than.order()) {
             (Some(own), Some(other)) => own < other,
@@ -214,7 +209,7 @@ mod tests {
         assert_eq!(b - a.clone(), series(0, &[1]));
         let number = Laurent::Number(BigRational::from_integer(4.into()));
         assert_eq!(a.clone() + number.clone(), series(-2, &[1, 2, 7]));
-        // If a series is unknown from δ⁰ on, adding a number does not change it.
+        // Adding a number does not change a series that is unknown from δ⁰ on.
         assert_eq!(series(-3, &[1, 2]) + number.clone(), series(-3, &[1, 2]));
         let nothing = a.clone() - a;
         assert_eq!(nothing, Series { start: 1, terms: vec![] });

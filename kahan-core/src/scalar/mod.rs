@@ -1,8 +1,8 @@
 //! The numbers with which a Kahan map computes.
 //!
-//! In: a type with + − × ÷ that contains the rationals. Out: one code over floats, exact rationals,
-//! dual numbers and SIMD lanes. [`Scalar`] requires no ordering, square root or conversion. Its
-//! methods share no name with num-traits; therefore both traits can be in scope.
+//! A [`Scalar`] has + − × ÷ and contains the rationals. The same code then runs over floats, exact
+//! rationals, dual numbers and SIMD lanes. The methods share no name with num-traits; therefore
+//! both traits can be in scope.
 
 pub(crate) mod bounded;
 mod constant;
@@ -44,8 +44,8 @@ pub(crate) use wide::{Size, Wide};
 
 /// A number with which a Kahan map computes.
 ///
-/// Implement the operators and [`constant`](Scalar::constant). The defaults of the other methods
-/// suit exact fields.
+/// Implementors write the operators and [`constant`](Scalar::constant). The other methods have
+/// defaults that suit exact fields.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a scalar that a Kahan map can compute with",
     label = "not a `Scalar`; for a number, write `1.0`, not `1`",
@@ -74,8 +74,7 @@ pub trait Scalar:
 
     /// Returns 1/self, or `None` if the reciprocal does not exist and division would panic.
     ///
-    /// Floats always return a number, because 1/0 is infinite. Therefore their steps have no
-    /// branches.
+    /// Floats always return a number, because 1/0 is infinite.
     fn reciprocal(&self) -> Option<Self> {
         if self.is_zero() { None } else { Some(Self::one() / self.clone()) }
     }
@@ -83,7 +82,7 @@ pub trait Scalar:
     /// Returns self/divisor, or `None` if the divisor has no [`reciprocal`](Self::reciprocal).
     #[inline(always)]
     fn quotient(self, divisor: Self) -> Option<Self> {
-        // If reciprocals always exist, the compiler removes this reciprocal.
+        // The compiler removes this reciprocal if reciprocals always exist.
         divisor.reciprocal()?;
         Some(self / divisor)
     }
@@ -93,33 +92,32 @@ pub trait Scalar:
         than.is_zero() && !self.is_zero()
     }
 
-    /// Returns self·factor + addend, rounded once if the target can fuse both operations, otherwise
-    /// twice.
+    /// Returns self·factor + addend, rounded once if the target fuses both operations.
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
     }
 
-    /// Returns self·factor − subtrahend, rounded as [`multiply_add`](Self::multiply_add) rounds.
+    /// Returns self·factor − subtrahend, rounded as in [`multiply_add`](Self::multiply_add).
     #[inline(always)]
     fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
         self * factor - subtrahend
     }
 
-    /// Returns self − a·b, rounded as [`multiply_add`](Self::multiply_add) rounds.
+    /// Returns self − a·b, rounded as in [`multiply_add`](Self::multiply_add).
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
         self - a * b
     }
 
-    /// Returns the number as a constant of a prepared step. If the number has a derivative along
-    /// the state, the derivative is dropped, because ε and parameters do not depend on the state.
+    /// Returns the number without its derivatives, for ε and parameters, which do not depend on the
+    /// state.
     #[inline(always)]
     fn prepared(&self) -> Self {
         self.clone()
     }
 
-    /// Returns a nearby `f64` for reports, never for computing. The default is NaN.
+    /// Returns a nearby `f64` for reports, or NaN by default.
     fn approximate(&self) -> f64 {
         f64::NAN
     }

@@ -1,7 +1,7 @@
 //! Macros that implement the arithmetic operators of a type from functions.
 
-/// Implements + − × ÷ and the assignment operators, each operator from a function of two numbers.
-/// The generic parameters of the type stand in brackets.
+/// Implements + − × ÷ and the assignment operators from functions of two numbers. The generic
+/// parameters of the type stand in brackets.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! operators {
@@ -24,7 +24,7 @@ macro_rules! operators {
     };
 }
 
-/// Implements the assignment operators of a type from its operators.
+/// Implements the assignment operators of a type from + − × ÷.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! assignments {

@@ -1,21 +1,17 @@
-//! Tuning for compilers and processors: division of steps by ε, and protection against
-//! auto-vectorisation.
-//!
-//! Tuning does not change results. Types are known at compile time; therefore optimised programs do
-//! not test types.
+//! Tuning for compilers and processors, without effect on results: division of steps by ε, and
+//! protection against auto-vectorisation.
 
 use core::any::{Any, TypeId};
 
 use super::Scalar;
 use super::bounded::{Bounded, PackedDouble, PackedSingle};
 
-/// The exponent k for `f32`. Steps may divide by ε from 2⁻ᵏ to 2ᵏ, which keeps powers of ε in
-/// range.
+/// Steps in `f32` may divide by ε if |ε| is from 2⁻¹⁶ to 2¹⁶, where powers of ε stay in range.
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
-/// The exponent k for `f64`, analogous to [`BITS_OF_SINGLE_STEPS`].
+/// Steps in `f64` with error bounds may divide by ε if |ε| is from 2⁻⁶⁴ to 2⁶⁴.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
-/// The exponent j for plain `f64` steps, which may divide by ε down to 2⁻ʲ. Fractions of a step and
-/// stages of a composition then use the form of the whole step.
+/// Plain `f64` steps may divide by ε if |ε| is from 2⁻⁸⁴ to 2⁶⁴. Fractions of a step and stages of
+/// a composition then use the form of the whole step.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 #[inline(always)]
@@ -25,9 +21,6 @@ pub(crate) fn is<T: 'static, U: 'static>() -> bool {
 }
 
 /// Casts a number of type T to U, which must be the type T.
-///
-/// # Panics
-/// If T is another type.
 #[inline(always)]
 pub(crate) fn same<T: 'static, U: 'static>(number: &T) -> &U {
     match (number as &dyn Any).downcast_ref() {
@@ -41,7 +34,8 @@ pub(crate) fn is_float<T: 'static>() -> bool {
     is::<T, f32>() || is::<T, f64>()
 }
 
-/// Returns j and k if steps over T may divide by ε from 2⁻ʲ to 2ᵏ, or `None` if they never may.
+/// Returns j and k if steps over T may divide by ε from 2⁻ʲ to 2ᵏ, or `None` if division is
+/// forbidden.
 #[inline(always)]
 fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     if is::<T, f64>() {
@@ -55,7 +49,7 @@ fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     }
 }
 
-/// Returns whether steps over T are divided by ε, if the step has a form divided by ε.
+/// Returns whether steps over T are divided by ε if a form for division exists.
 #[inline(always)]
 pub(crate) fn divides_by_eps<T: 'static>() -> bool {
     bits_of_steps::<T>().is_some()
@@ -70,11 +64,8 @@ pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     })
 }
 
-/// Returns the number after an empty assembler statement that keeps it in a register. For a bounded
-/// value, the statement concerns the magnitude.
-///
-/// Compilers pack adjacent scalars into vectors. If one scalar is late, the other scalars wait for
-/// it. The shuffles also cost more than the saved operations.
+/// Returns the number unchanged, but prevents its packing into a vector with other numbers. Packed
+/// numbers wait for the latest one, and cost shuffles.
 #[inline(always)]
 pub fn fenced<T: 'static>(mut number: T) -> T {
     let _ = change(&mut number, |single: &mut f32| *single = fence::single(*single))
@@ -84,18 +75,16 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// Returns a component of x̃, possibly [`fenced`]. In `f32` the component is fenced, because
-/// registers have more lanes than x̃ has components. The component is also fenced after `several`
-/// successive reciprocals, where one component is on an orbit's critical path.
+/// Returns a component of x̃. In `f32`, and after `several` successive reciprocals, the component
+/// is [`fenced`], because packing would slow an orbit down.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }
 }
 
-/// Applies `change` if the number has the type U, and returns whether it has.
+/// Applies `change` if the number has the type U, and returns whether the types agree.
 #[inline(always)]
 fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -> bool {
-    // Types are compared first; therefore unreachable calls of `downcast_mut` need no inlining.
     if is::<T, U>()
         && let Some(number) = (number as &mut dyn Any).downcast_mut()
     {
@@ -105,7 +94,6 @@ fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -
     false
 }
 
-/// An empty assembler statement, across which compilers do not pack numbers.
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 #[allow(unsafe_code, reason = "nothing else keeps a compiler from packing scalars, and costs no instruction")]
 mod fence {
@@ -152,7 +140,6 @@ mod tests {
             assert_eq!(may_divide_by(&Bounded::<f64, PackedDouble>::from_input(eps)), may, "{eps}");
             assert!(!may_divide_by(&Dd::from(eps)) && !may_divide_by(&Dual::<f64, 1>::from_value(eps)));
         }
-        // Steps over `f64` itself allow a smaller ε.
         for (eps, may) in [(most, true), (beyond, false), ((-84_f64).exp2(), true), ((-85_f64).exp2(), false)]
         {
             assert_eq!(may_divide_by(&eps), may, "{eps}");

@@ -5,7 +5,7 @@ use std::vec;
 use super::*;
 use crate::field::couplings::CouplingRow;
 
-/// The tables of an elimination in the order of the variables, made from the pairs of coupled
+/// The tables of an elimination in the order of the variables, for given pairs of coupled
 /// variables.
 struct Pattern {
     order: Vec<u32>,
@@ -94,9 +94,8 @@ fn lattice(side: usize) -> Pattern {
     Pattern::of(side * side, |i, j| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1)
 }
 
-/// Solves a test system in which variable i is measured in units of `units(i)`. If `flushes` is
-/// true, negligible factors are replaced by 0. Returns the smallest nonzero entry of the factors,
-/// and the solution without the units.
+/// Solves a test system in which variable i is measured in units of `units(i)`. Returns the
+/// smallest nonzero entry of the factors, and the solution without the units.
 fn solved(pattern: &Pattern, eps: f64, units: impl Fn(usize) -> f64, flushes: bool) -> (f64, Vec<f64>) {
     let n = pattern.order.len();
     let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };
@@ -125,8 +124,7 @@ fn negligible_factors_are_zero_and_solutions_keep_their_bits() {
     assert_eq!(flushed, exact);
 }
 
-/// The units of the variables are powers of 2, which change no digit. Where two units alternate, a
-/// factor and an entry to the right of its pivot are never both large.
+/// The units of the variables are powers of 2, which change no digit.
 #[test]
 fn solutions_are_independent_of_extreme_units() {
     let (pattern, eps) = (lattice(24), 1e-3);

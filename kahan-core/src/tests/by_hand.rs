@@ -1,4 +1,4 @@
-//! Test systems. Most have a closed form by the macro; one is written by hand and uses elimination.
+//! Test systems: most have a closed form by the macro, and one is written by hand.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -2,7 +2,7 @@
 
 use crate::{Constant, Scalar};
 
-/// The constant −(2⁶⁴ + 1)/3 = −(5555555555555555₁₆ + 2/3), written as the macro would write it.
+/// The constant −(2⁶⁴ + 1)/3, in the form of the macro.
 const LONG: Constant<'_> = Constant::exact(
     true,
     &[1, 1],
@@ -64,7 +64,7 @@ mod exact {
         assert_eq!(Q::constant(&LONG), -(power + q(1, 1)) / q(3, 1));
     }
 
-    /// Returns whether |x − approximation| ≤ unit·|x|, which holds after rounding to nearest.
+    /// Returns whether |x − approximation| ≤ unit·|x|.
     fn is_rounded(x: &Q, approximation: f64, unit: f64) -> bool {
         (x - rational(approximation)).abs() <= x.abs() * rational(unit)
     }

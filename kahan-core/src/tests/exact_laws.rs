@@ -7,13 +7,12 @@ use super::rationals::{Q, Rationals, product, q, scaled};
 use crate::field::linear::{determinant, solve};
 use crate::{KahanMap, eps_from_dt};
 
-/// Returns points and ε for which no denominator vanishes.
 fn points<const N: usize>(seed: u64) -> impl Iterator<Item = (nalgebra::SVector<Q, N>, Q)> {
     let mut rationals = Rationals::seeded(seed);
     core::iter::repeat_with(move || (rationals.vector(), rationals.next())).take(12)
 }
 
-/// Checks a law for all systems, at all points with det A ≠ 0. There must be such points.
+/// Checks a law for all systems at all points with det A ≠ 0, of which at least one must exist.
 macro_rules! on_every_system {
     ($law:ident) => {{
         macro_rules! on {
@@ -62,8 +61,7 @@ fn the_step_solves_the_linear_system() {
 fn stepping_back_returns_the_start_exactly() {
     fn law<M: KahanMap<Q, N>, const N: usize>(map: &M, x: &V<N>, eps: Q) {
         let next = map.step(x, eps.clone());
-        // If det ∂x̃/∂x = 0, the map contracts a surface to a point, and x̃ is a pole of the
-        // inverse.
+        // If this determinant is 0, x̃ is a pole of the inverse.
         if map.det_matrix(&next, -eps.clone()).is_zero() {
             return;
         }
@@ -127,10 +125,10 @@ fn the_forms_are_polarizations_of_the_field() {
         let origin = x.map(|_| Q::zero());
         let constant = map.field(&origin);
         assert_eq!(map.polarized(x, x), map.field(x));
-        // The second difference f(x+y) − f(x) − f(y) + f(0) equals 2Q(x,y).
+        // f(x+y) − f(x) − f(y) + f(0) = 2Q(x,y)
         let second_difference = map.field(&(x + &y)) - map.field(x) - map.field(&y) + constant;
         assert_eq!(second_difference, scaled(&q(2, 1), &map.bilinear(x, &y)));
-        // The expansion is f(x+y) = f(x) + f′(x)y + Q(y,y).
+        // f(x+y) = f(x) + f′(x)y + Q(y,y)
         let expansion = map.field(x) + product(&map.field_jacobian(x), &y) + map.bilinear(&y, &y);
         assert_eq!(map.field(&(x + &y)), expansion);
     }

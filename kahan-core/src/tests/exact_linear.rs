@@ -1,5 +1,4 @@
-//! Compares elimination over the rationals with the algorithm without divisions, also for singular
-//! matrices.
+//! Compares elimination over the rationals with the algorithm without divisions.
 
 use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};

@@ -1,5 +1,4 @@
-//! Tests poles over the rationals. At removable poles, the map has the values of the paper's
-//! formulas.
+//! Tests poles over the rationals, and the values of the map at removable poles.
 
 use std::format;
 use std::panic::catch_unwind;
@@ -30,7 +29,7 @@ fn e1_has_a_value_at_its_removable_pole() {
     assert!(E1.det_matrix(&x, eps.clone()).is_zero());
     assert_eq!(E1.step(&x, eps.clone()), next);
     assert_eq!(E1.det_jacobian(&x, eps.clone()), -Q::one());
-    // With a parameter ξ, the map retains the factor that cancels at ξ = 1.
+    // The map retains the factor that cancels at ξ = 1.
     assert!(E7 { xi: q(1, 1) }.try_step(&x, eps).is_err());
 }
 
@@ -75,7 +74,7 @@ fn an_exact_step_at_a_pole_panics_and_says_so() {
 
 #[test]
 fn an_exact_orbit_ends_at_a_pole_and_says_why() {
-    // The map is x̃ = x/(1 + 2εx). After x = −1/4 follow −1/3, −1/2, −1 and infinity.
+    // By x̃ = x/(1 + 2εx), the orbit is x = −1/4, −1/3, −1/2, −1, ∞.
     let mut orbit = E1.orbit(vector![q(-1, 4), q(1, 1), q(1, 1)], q(1, 2));
     let mut length = 0;
     while orbit.next().is_some() {

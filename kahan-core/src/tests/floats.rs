@@ -10,7 +10,7 @@ use crate::{KahanMap, eps_from_dt, vector};
 
 const HARD: [f64; 9] = [0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 
-/// Calls every method, checks that no call panics, and that the results are consistent.
+/// Calls every method, and checks that no call panics and that the results are consistent.
 fn call_everything<M: KahanMap<f64, N> + Clone, const N: usize>(map: &M, x: SVector<f64, N>, eps: f64) {
     let _ = (map.step(&x, eps), map.step_back(&x, eps), map.matrix(&x, eps), map.rhs(&x, eps));
     let _ = (map.jacobian(&x, eps), map.det_jacobian(&x, eps), map.det_matrix(&x, eps));

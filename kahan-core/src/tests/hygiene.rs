@@ -1,5 +1,4 @@
-//! Tests the macros in a scope without a prelude, beside user types with the names of prelude
-//! items.
+//! Tests the macros in a scope without a prelude, beside user types named like prelude items.
 
 mod scope {
     #![no_implicit_prelude]

@@ -1,5 +1,4 @@
-//! Tests the laws of the method on example systems: exactly over rationals, with bounds over
-//! floats.
+//! Tests the laws of the method on examples: exactly over rationals, with bounds over floats.
 
 mod by_hand;
 mod constants;

@@ -83,8 +83,7 @@ fn a_composition_is_its_stages_in_order() {
     assert_eq!(E3.at(0.05).composed(Composition::KAHAN).step(&start()), E3.step(&start(), 0.05));
 }
 
-/// At ε ≈ 2⁻⁴⁰, a plain orbit adds increments cut to 13 bits. A compensated orbit adds whole
-/// increments.
+/// At ε ≈ 2⁻⁴⁰, a plain orbit adds increments rounded to 13 bits.
 #[test]
 fn small_increments_are_not_lost() {
     let (start, eps, steps) = (vector![1.0_f64, 0.5, 1.5], 1e-12, 100_000);
@@ -93,7 +92,7 @@ fn small_increments_are_not_lost() {
     let error = |x: Option<SVector<f64, 3>>| (x.unwrap() - there).amax();
     let plain = error(E3.orbit(start, eps).nth(steps as usize));
     let compensated = error(E3.orbit(start, eps).compensated().nth(steps as usize));
-    // The yielded point and the long step each err by half an ulp of 1.5.
+    // The orbit's point and the long step each err by half an ulp of 1.5.
     assert!(compensated <= f64::EPSILON * 1.5, "{compensated:e}");
     assert!(plain > 20.0 * compensated, "{plain:e}");
 }
@@ -110,8 +109,6 @@ fn a_short_eps_is_the_nearest_and_its_cube_is_exact() {
     let (short, long) = (nearest_short_eps(0.05_f32), nearest_short_eps(0.05_f64));
     assert_eq!(f64::from(short).powi(3), f64::from(short.powi(3)));
     assert_eq!((short * 4096.0).fract(), 0.0);
-    // The square has 34 bits and the cube 51. A fused multiply-add finds no rounding error in
-    // either.
     assert_eq!(
         (long.mul_add(long, -(long * long)), long.mul_add(long * long, -(long * long * long))),
         (0.0, 0.0)
@@ -136,14 +133,12 @@ fn a_short_double_double_is_the_nearest() {
         (-1.0 - unit, -1.0, -1.0 - unit)
     );
     let third = nearest_short_eps(Dd::from(1.0) / Dd::from(3.0));
-    // The number starts at 2⁻² and has 35 bits.
     assert_eq!((third.low(), (third.high() * 2_f64.powi(36)).fract(), Dd::SHORT_BITS), (0.0, 0.0, 35));
     assert!((third.high() - 1.0 / 3.0).abs() <= unit / 8.0);
     assert!(nearest_short_eps(Dd::from(f64::MAX)).high().is_finite());
 }
 
-/// The baseline rounds as a single orbit does, and its bits are equal. Higher instruction sets fuse
-/// multiply-adds, which changes each of the 17 stages by a few units of 2⁻⁵³.
+/// The baseline rounds like a single orbit. Higher instruction sets fuse multiply-adds.
 #[cfg(feature = "std")]
 #[test]
 fn an_ensemble_takes_the_steps_of_a_composed_orbit() {

@@ -1,11 +1,9 @@
-//! Tests that the coefficients of compositions satisfy the order conditions and are correctly
-//! rounded.
+//! Tests that the coefficients of compositions satisfy the order conditions.
 //!
-//! A symmetric one-step method is exp(hY₁ + h³Y₃ + h⁵Y₅ + …) with general derivations Yₖ, where Y₁
-//! = f. A composition is a product of such exponentials with γᵢh in place of h. It has order p for
-//! every method if the product equals exp(hY₁) up to hᵖ, as series in non-commuting letters. The
-//! grade of a word is the sum of its indices. (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical
-//! Integration, III.3.)
+//! A symmetric one-step method of step h is exp(hY₁ + h³Y₃ + h⁵Y₅ + …) with derivations Yₖ. A
+//! composition is a product of these exponentials with γᵢh in place of h. The composition has order
+//! p if the product equals exp(hY₁) up to hᵖ (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical
+//! Integration, III.3).
 
 use std::collections::BTreeMap;
 use std::vec::Vec;
@@ -18,9 +16,8 @@ use crate::{Composition, Constant};
 
 type Q = BigRational;
 
-/// A series in the words over 1, 3, 5, 7, truncated by grade (the sum of a word's letters). The
-/// coefficients are multiples of 2⁻²⁰⁰. A product rounds by at most one unit, and 10⁶ products by
-/// less than 10⁻⁵⁴.
+/// A series in words over the letters 1, 3, 5, 7, truncated by grade (the sum of a word's letters).
+/// The coefficients are multiples of 2⁻²⁰⁰.
 type Series = BTreeMap<Vec<u32>, BigInt>;
 
 const BITS: u32 = 200;
@@ -75,7 +72,7 @@ fn ten_to_minus(digits: u32) -> Q {
     Q::new(BigInt::one(), BigInt::from(10).pow(digits))
 }
 
-/// Decimals of 40 digits err by 5·10⁻⁴¹. Conditions of degree up to 7 then err by less than 10⁻³⁸.
+/// Coefficients of 40 digits err by 5·10⁻⁴¹, and conditions of degree up to 7 by less than 10⁻³⁸.
 #[test]
 fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     for composition in Composition::ALL {
@@ -84,8 +81,7 @@ fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     }
 }
 
-/// Shows that the previous test can fail. Conditions of even grade hold automatically; therefore
-/// grade p + 1 fails first.
+/// Conditions of even grade hold automatically; therefore grade p + 1 fails first.
 #[test]
 fn the_order_is_not_higher_than_stated() {
     for composition in Composition::ALL {

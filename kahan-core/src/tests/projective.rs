@@ -48,7 +48,7 @@ fn a_line_closes_at_infinity_in_every_scalar() {
     check_riccati(|p, q| BigRational::new(p.into(), q.into()));
 }
 
-/// Checks points of a plane whose points are all mapped to one point.
+/// Checks points of a plane that is mapped to one point.
 fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>, &SVector<T, 3>) -> bool) {
     let point = |x: [f64; 3]| vector![number(x[0]), number(x[1]), number(x[2])];
     for start in [[1.5, 1.0, -0.5], [0.75, 1.5, -0.25], [3.0, -2.0, 1.0]] {
@@ -83,7 +83,7 @@ where
 
 #[test]
 fn an_orbit_ends_where_lines_lead_to_different_points() {
-    // From the common point, the original point in the plane cannot be known.
+    // The common image of the plane does not determine the point in the plane.
     let (points, why) = end(&mut Top.orbit(vector![2.0, 2.0, 2.0], 0.5).projective());
     assert_eq!(points, 2);
     assert!(why.contains("lines through it lead to different points"), "{why}");
@@ -109,7 +109,6 @@ fn away_from_poles_points_have_the_bits_of_the_orbit() {
     let start = vector![1.5, 1.0];
     let plain: Vec<_> = Prey.orbit(start, 0.05).take(500).map(Some).collect();
     assert_eq!(affine(Prey.orbit(start, 0.05).projective().take(500)), plain);
-    // The projective orbit continues from the current point.
     let mut orbit = Prey.orbit(start, 0.05);
     orbit.nth(9);
     assert_eq!(affine(orbit.projective().take(490)), plain[10..]);
@@ -117,8 +116,7 @@ fn away_from_poles_points_have_the_bits_of_the_orbit() {
 
 #[test]
 fn near_a_pole_ten_bits_are_lost_and_very_near_none() {
-    // x̃ is about 1/d, while exactly 1/x̃ = 1/x − 2ε. The product 2εx is rounded in the second
-    // case.
+    // x̃ is about 1/d, while exactly 1/x̃ = 1/x − 2ε. The product 2εx is rounded only for ε = 0.3.
     for (eps, pole) in [(0.25, 2.0), (0.3, 5.0 / 3.0)] {
         for exponent in [3, 6, 9, 12, 15, 30, 45] {
             let d = 2_f64.powi(-exponent);

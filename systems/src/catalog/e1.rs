@@ -1,10 +1,8 @@
 //! E1 of Hone and Petrera (Section 3; Table 1, i = 1), with the Lie-Poisson brackets of A(3,3) and
 //! sl(2,R). At eps = 0, `H = y/x`, `K = x z + y^2` and `c = 1/x^2`, and the flow is
-//! `-P dK = -(1/c) Q dH`. The block claims H and K of Table 2, the density c/(H K) of Theorem 1
-//! (with c, H, K at eps = 0), and two compatible brackets of Theorem 2: `P` of Table 3, and `Q` of
-//! Table 4 divided by c. Solutions (Table 5, Theorem 3) depend on time, so the block does not claim
-//! them. The numerators of the map and det A share the factor `1 + eps x`, whose zeros are
-//! removable poles.
+//! `-P dK = -(1/c) Q dH`. The block claims H and K (Table 2), the density (Theorem 1), and two
+//! compatible brackets (Theorem 2): `P` of Table 3, and `Q` of Table 4 divided by c. The numerators
+//! of the map and det A share the factor `1 + eps x`, whose zeros are removable poles.
 
 mod solution;
 

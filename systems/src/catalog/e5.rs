@@ -1,9 +1,7 @@
 //! E5 of Hone and Petrera (Section 3; Table 1, i = 5), with the Lie-Poisson brackets of e(2) and
 //! sl(2,R). At eps = 0, `H = (x^2 + y^2)/2`, `K = x z + y^2` and `c = -1`, and the flow is
-//! `-P dK = -(1/c) Q dH`. The block claims H and K of Table 2, the density c/(H K) of Theorem 1
-//! (with c, H, K at eps = 0), and two compatible brackets of Theorem 2: `P` of Table 3, and `Q` of
-//! Table 4 divided by c. The solutions (Table 5, Theorem 3) are hyperbolic functions of time, so
-//! the block does not claim them.
+//! `-P dK = -(1/c) Q dH`. The block claims H and K (Table 2), the density (Theorem 1), and two
+//! compatible brackets (Theorem 2): `P` of Table 3, and `Q` of Table 4 divided by c.
 
 mod flow;
 mod solution;

@@ -9,8 +9,7 @@
 //! # Limit
 //!
 //! At eps = 0 the three integrals are functions of the energy, m·p, p·p and m3. The density is
-//! `1/(D1 F)`, where F is the denominator of C. `kahan discover` prints H with multiples of m3
-//! added, and 1/(1/C + eps^4) instead of C.
+//! `1/(D1 F)`, where F is the denominator of C.
 
 use kahan_core::prelude::*;
 

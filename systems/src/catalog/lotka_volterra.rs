@@ -1,11 +1,9 @@
 //! The Lotka-Volterra system (Hone and Petrera, Section 1), with prey x and predators y. The flow
 //! has the bracket `{x,y} = x y`, and the integral `log(x y) - (x + y)`, which is transcendental
 //! and not claimed. The map preserves the bracket and the area `dx dy/(x y)` for every eps. The map
-//! has a rational integral H only for eps = 1 and eps = -1; these two maps are inverse to each
-//! other. For other eps the logarithmic heights of orbits double in each step (Section 7). At eps =
-//! 1 the map is the recurrence `x_{n+1} x_{n-1} = x_n (2 - x_n)`. There H - 2 is the square of
-//! `(x - y)(x + y - 2)/(x y)`, whose sign changes in each step, because the map exchanges two
-//! conics (erratum B8).
+//! has a rational integral H only for eps = 1 and eps = -1. For other eps the logarithmic heights
+//! of orbits double in each step (Section 7). At eps = 1 the map is the recurrence
+//! `x_{n+1} x_{n-1} = x_n (2 - x_n)`, and exchanges two conics (erratum B8).
 
 use kahan_core::prelude::*;
 

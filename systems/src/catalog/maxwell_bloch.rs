@@ -2,8 +2,7 @@
 //! losses. The variable x is the field, y the polarisation, and z the inversion. The flow has the
 //! integrals `x^2/2 + z` and `y^2 + z^2`, and is Hamiltonian in two ways (David and Holm, 1992).
 //! The map preserves deformations of both integrals, and two compatible brackets
-//! `{x,y} = rho^-1 I_z`, …. The bracket `P` has I = H/2, and `Q` has I = K/2. The degree of the
-//! n-th iterate is 2n^2 + 1.
+//! `{x,y} = rho^-1 I_z`, …. The bracket `P` has I = H/2, and `Q` has I = K/2.
 
 use kahan_core::prelude::*;
 

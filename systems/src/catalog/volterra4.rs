@@ -1,7 +1,6 @@
 //! The periodic Volterra lattice with four sites. The flow has the integrals x + y + z + w, x z and
-//! y w. The map preserves the sum, and the two products divided by polynomials that depend on eps.
-//! Compositions of higher order therefore preserve only the sum. The map also preserves the volume
-//! dx dy dz dw/(x y z w).
+//! y w. The map preserves the sum, the two products divided by polynomials that depend on eps, and
+//! the volume dx dy dz dw/(x y z w). Compositions of higher order preserve only the sum.
 
 use kahan_core::prelude::*;
 

@@ -1,8 +1,7 @@
 //! The Zhukovsky-Volterra top, which is a gyrostat. For generic coefficients, `kahan discover`
-//! finds no integral and no density up to degree 9, and the degrees of iterates triple in each
-//! step. If one b is zero, the map has an integral. If two are zero, it has two integrals and a
-//! density. If all three are zero, the system is the Euler top. The claims therefore have
-//! conditions on b.
+//! finds no integral and no density up to degree 9. If one b is zero, the map has an integral. If
+//! two are zero, the map has two integrals and a density. If all three are zero, the system is the
+//! Euler top. The claims therefore have conditions on b.
 
 use kahan_core::prelude::*;
 

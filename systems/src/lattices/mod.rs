@@ -1,7 +1,6 @@
 //! Families, which are systems with any number of sites. Each file has a `kahan!` block with the
-//! sums that its map preserves; the number of sites is chosen at run time. The module exports the
-//! types that the macro makes, and the blocks as text in [`ALL`]. `kahan discover --sites N` finds
-//! further integrals for N sites.
+//! sums that its map preserves; the number of sites is chosen at run time.
+//! `kahan discover --sites N` finds further integrals for N sites.
 
 mod kdv;
 mod species;

@@ -1,6 +1,6 @@
 //! Solutions of systems with ẋ = −x², which Kahan's method solves exactly. Trajectories have x =
 //! 1/T with T = t + α, and orbits have x = 1/(2εN) with N = n + τ. The flow preserves K = xz + y²,
-//! and the map preserves K/(1 − ε²x²). Each system defines its y and z by a trait.
+//! and the map preserves K/(1 − ε²x²).
 
 use core::marker::PhantomData;
 
@@ -9,9 +9,9 @@ use kahan_core::nalgebra::SVector;
 
 use super::{OutOfDomain, integer, require, shift_and_divisor};
 
-/// A system with ẋ = −x². The trait gives the formulas for y and z on its trajectories.
+/// A system with ẋ = −x², with the formulas for y and z on its trajectories.
 pub trait ReciprocalFlow<T>: Sized {
-    /// Returns β, a function of the point that is constant along trajectories.
+    /// Returns the constant β of the trajectory through a point.
     fn beta(x: T, y: T) -> T;
 
     /// Returns the point of the trajectory at T = t + α, which is `time`.
@@ -21,11 +21,11 @@ pub trait ReciprocalFlow<T>: Sized {
 /// A trajectory of the system S, with x = 1/T and T = t + α.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReciprocalTrajectory<S, T> {
-    /// The time shift α = 1/x₀, where x₀ is x at t = 0.
+    /// The constant α = 1/x₀ in T = t + α, where x₀ is x at t = 0.
     pub alpha: T,
     /// The constant β of [`ReciprocalFlow::beta`].
     pub beta: T,
-    /// The constant γ, which is the value of the integral K = xz + y².
+    /// The value γ of the integral K = xz + y².
     pub gamma: T,
     system: PhantomData<S>,
 }
@@ -44,16 +44,15 @@ impl<S: ReciprocalFlow<T>, T: Scalar> ReciprocalTrajectory<S, T> {
     }
 
     /// Returns the point at time t. At the pole t = −α, exact scalars panic and floats become
-    /// infinite or NaN. Beyond the pole, rational formulas continue analytically, but logarithms
-    /// are undefined.
+    /// infinite or NaN. Beyond the pole, logarithms are undefined.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         S::point(self, t.clone() + self.alpha.clone())
     }
 }
 
-/// A system with ẋ = −x² whose map has rational orbits. The trait gives the formulas for y and z.
+/// A system with ẋ = −x² whose map has rational orbits, with the formulas for y and z.
 pub trait ReciprocalMap<T>: Sized {
-    /// Returns β, which is the value of the integral Ĥ. `divisor` is 1 − ε²x².
+    /// Returns the value β of the integral Ĥ. `divisor` is 1 − ε²x².
     fn integral(x: T, y: T, divisor: T) -> T;
 
     /// Returns the point of the orbit at 2N = 2(n + τ), which is `double`.
@@ -63,13 +62,13 @@ pub trait ReciprocalMap<T>: Sized {
 /// An orbit of the map of the system S, with x = 1/(2εN) and N = n + τ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReciprocalOrbit<S, T> {
-    /// The parameter ε, which is half the time step.
+    /// Half the time step, ε.
     pub eps: T,
-    /// The shift τ = 1/(2εx₀) of n, where x₀ is x at n = 0.
+    /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
-    /// The constant β, which is the value of the integral Ĥ.
+    /// The value β of the integral Ĥ.
     pub beta: T,
-    /// The constant γ, which is the value of the integral K̂ = (xz + y²)/(1 − ε²x²).
+    /// The value γ of the integral K̂ = (xz + y²)/(1 − ε²x²).
     pub gamma: T,
     system: PhantomData<S>,
 }

@@ -3,8 +3,7 @@
 use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::{One, Zero};
 
-/// The number of Bernoulli numbers that are stored. The stored numbers suffice for 256 bits at
-/// arguments of 40 or more.
+/// The number of stored Bernoulli numbers, which suffice for 256 bits at arguments of 40 or more.
 const COUNT: usize = 64;
 
 /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈, computed from Σ_{j≤m} C(m+1, j) B_j = 0.
@@ -37,8 +36,8 @@ mod tests {
         assert_eq!(numbers[0], ratio(1, 6));
         assert_eq!(numbers[1], -ratio(1, 30));
         assert_eq!(numbers[5], -ratio(691, 2730));
-        // By von Staudt and Clausen, the denominator of B₂₀ is the product of the primes p for
-        // which p − 1 divides 20.
+        // By von Staudt and Clausen, the denominator is the product of the primes p with p − 1
+        // | 20.
         assert_eq!(numbers[9].denom(), &(2 * 3 * 5 * 11).into());
     }
 }

@@ -4,11 +4,9 @@ use super::Real;
 use super::gamma::not_a_number;
 
 /// A modulus k with 0 ≤ k ≤ 1 and its complement k′ = √(1 − k²), both with full relative precision.
-/// Computing k′ from k near 1 would lose digits. If a formula yields both k and k′, both should be
-/// given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modulus<T> {
-    /// The modulus k in sn(u, k). It is not the square of the modulus.
+    /// The modulus k in sn(u, k), not its square.
     pub k: T,
     /// The complement k′ = √(1 − k²).
     pub complement: T,
@@ -31,9 +29,8 @@ impl<T: Real> Modulus<T> {
         Self { k: self.complement, complement: self.k }
     }
 
-    /// Returns the complete integral K(k) = F(π/2, k) = π/(2 agm(1, k′)), which is a quarter of
-    /// sn's period. It is NaN for k = 1. In `f64` the error is at most 4 ulp for all k, even near
-    /// 1, where formulas in k² lose digits.
+    /// Returns the complete integral K(k) = F(π/2, k) = π/(2 agm(1, k′)), a quarter of sn's period,
+    /// or NaN for k = 1. In `f64` the error is at most 4 ulp, even near k = 1.
     ///
     /// ```
     /// use kahan_systems::special::Modulus;
@@ -58,9 +55,8 @@ impl<T: Real> Modulus<T> {
     }
 
     /// Returns the incomplete integral F(φ, k) = ∫₀^φ dθ/√(1 − k² sin²θ) for any real φ. For k = 1,
-    /// φ must lie between −π/2 and π/2. Multiples of π are subtracted from φ, then the integral is
-    /// R_F(cos²φ, 1 − k² sin²φ, 1) sin φ with Carlson's R_F. In `f64` the error is at most 6 ulp
-    /// for |φ| ≤ π/2 and 8 ulp for |φ| ≤ 50, even near k = 1.
+    /// φ must lie between −π/2 and π/2. In `f64` the error is at most 6 ulp for |φ| ≤ π/2 and 8 ulp
+    /// for |φ| ≤ 50, even near k = 1.
     fn incomplete(&self, phi: &T) -> T {
         let half_turns = (*phi / T::pi() + T::half()).floor();
         let (sine, cosine) = phi.sin_cos();
@@ -74,8 +70,8 @@ impl<T: Real> Modulus<T> {
         whole + self.incomplete_of_point(&sine, &cosine)
     }
 
-    /// Returns the u in (−2K, 2K] that has these values of sn u and cn u. Both are required,
-    /// because near ±K the value of sn u does not determine u precisely.
+    /// Returns the u in (−2K, 2K] that has these values of sn u and cn u. Near ±K, sn u alone does
+    /// not determine u precisely.
     pub fn inverse(&self, sn: &T, cn: &T) -> T {
         if cn.is_negative() {
             let rest = self.incomplete_of_point(&sn.abs(), &-*cn);
@@ -87,7 +83,7 @@ impl<T: Real> Modulus<T> {
 
     /// Returns F(φ, k), given the sine and the nonnegative cosine of φ.
     fn incomplete_of_point(&self, sine: &T, cosine: &T) -> T {
-        // Compute 1 − k² sin²φ as cos²φ + k′² sin²φ, a sum of nonnegative numbers.
+        // This is 1 − k² sin²φ as a sum of nonnegative numbers.
         let delta = cosine.square() + (self.complement * *sine).square();
         *sine * carlson_rf(cosine.square(), delta, T::one())
     }
@@ -111,8 +107,7 @@ pub fn elliptic_k<T: Real>(k: &T) -> T {
 
 /// Returns the arithmetic-geometric mean of a and b, which must be positive.
 fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
-    // Each pass squares the relative difference of a and b. When it is below √ε, with ε the
-    // precision, the next mean is exact up to rounding.
+    // Each pass squares the relative difference of a and b.
     for _ in 0..64 {
         let done = ((a - b) / a).square() < T::epsilon();
         let mean = (a + b) * T::half();
@@ -125,9 +120,8 @@ fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
     a
 }
 
-/// Returns Carlson's integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)). The arguments must be
-/// nonnegative, and at most one may be zero. The duplication theorem brings the arguments so close
-/// together that a series of degree 7 suffices.
+/// Returns Carlson's integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)), by the duplication
+/// theorem. The arguments must be nonnegative, and at most one may be zero.
 fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);
@@ -145,8 +139,8 @@ fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     }
 }
 
-/// Computes the expansion of R_F about equal arguments up to degree 7. The relative differences X,
-/// Y, Z have sum 0; the series is in E₂ = XY + YZ + ZX and E₃ = XYZ.
+/// Computes the expansion of R_F about equal arguments up to degree 7, in E₂ = XY + YZ + ZX and E₃
+/// = XYZ for the relative differences X, Y, Z, which have sum 0.
 fn rf_series<T: Real>([dx, dy, dz]: [T; 3]) -> T {
     let e2 = dx * dy - dz.square();
     let e3 = dx * dy * dz;

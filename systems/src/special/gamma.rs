@@ -1,11 +1,10 @@
-//! Computes Γ and ψ by asymptotic series at a large argument, and by recurrences back from there.
-//! The series serve [`Float256`](super::Float256). Floats use other crates (see [`Real::gamma`]).
+//! Γ and ψ of [`Float256`](super::Float256), by asymptotic series at a large argument and
+//! recurrences back. Floats use other crates (see [`Real::gamma`]).
 
 use super::Real;
 
-/// Returns Γ(x); NaN at the poles 0, −1, −2, …. For `f64` the function is that of `libm`, and its
-/// error is at most 8 ulp on (−30, 171). For [`Float256`](super::Float256) the relative error is
-/// below 1e−72 for |x| ≤ 1000.
+/// Returns Γ(x), or NaN at the poles 0, −1, −2, …. For `f64` the error is at most 8 ulp on (−30,
+/// 171). For [`Float256`](super::Float256) the relative error is below 1e−72 for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Float256, Real, gamma};
@@ -18,9 +17,9 @@ pub fn gamma<T: Real>(x: &T) -> T {
     x.gamma()
 }
 
-/// Returns ψ(x) = Γ′(x)/Γ(x); NaN at the poles 0, −1, −2, …. For `f64` the function is that of the
-/// crate `special`, and its error is at most 2⁻⁴⁸ max(1, |ψ|) for x > −30. For
-/// [`Float256`](super::Float256) the error is below 1e−73·max(1, |ψ|) for |x| ≤ 1000.
+/// Returns ψ(x) = Γ′(x)/Γ(x), or NaN at the poles 0, −1, −2, …. For `f64` the error is at most 2⁻⁴⁸
+/// max(1, |ψ|) for x > −30. For [`Float256`](super::Float256) the error is below 1e−73·max(1, |ψ|)
+/// for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Float256, Real, digamma};
@@ -39,8 +38,7 @@ pub(super) fn is_pole<T: Real>(x: &T) -> bool {
     !x.is_positive() && x.floor() == *x
 }
 
-/// Returns the least argument x at which Stirling's series reaches full precision. The smallest
-/// term of the series is about e^(−2πx).
+/// Returns the least argument x at which Stirling's series reaches full precision.
 pub(super) fn asymptotic_from<T: Real>() -> i64 {
     5 + (T::DIGITS as i64 * 45) / 100
 }
@@ -53,7 +51,6 @@ pub(super) fn steps_up<T: Real>(x: &T, from: i64) -> i64 {
 /// Returns sin(πx). The argument is reduced exactly before it is multiplied by π.
 pub(super) fn sin_pi<T: Real>(x: &T) -> T {
     let turns = T::from_int(2) * (*x * T::half() + T::half() * T::half()).floor();
-    // The difference lies in [−1/2, 3/2).
     let rest = *x - turns;
     (T::pi() * rest).sin()
 }

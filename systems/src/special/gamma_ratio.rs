@@ -1,15 +1,15 @@
-//! Computes ratios of Γ and differences of ψ at neighbouring arguments, without cancellation. All
-//! functions use the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ). Its logarithm has an
-//! asymptotic series in even powers of 1/w, whose coefficients are Bernoulli polynomials B_{2m+1}:
-//! ln R = 2σ ln w − Σ_{m≥1} B_{2m+1}(1/2 + σ)/(m(2m+1) w^(2m)).
+//! Ratios of Γ and differences of ψ at neighbouring arguments, without cancellation. The centred
+//! ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) has a logarithm with an asymptotic series in even
+//! powers of 1/w. The coefficients are Bernoulli polynomials B_{2m+1}: ln R = 2σ ln w − Σ_{m≥1}
+//! B_{2m+1}(1/2 + σ)/(m(2m+1) w^(2m)).
 
 use super::Real;
 use super::gamma::{asymptotic_from, cos_pi, sin_pi, steps_up, sum_in_inverse_squares};
 
 /// Returns Γ(x + a)/Γ(x + b) for real x, a, b, with full relative precision for all sizes of x. If
 /// only the denominator has a pole, the result is zero; if only the numerator has one, NaN; if both
-/// have one, the limit. The quotient is computed from (a + b − 1)/2 and (a − b)/2, which are
-/// rounded. [`centered_gamma_ratio`] takes these two numbers directly.
+/// have one, the limit. [`centered_gamma_ratio`] avoids the rounding of (a + b − 1)/2 and (a −
+/// b)/2.
 ///
 /// ```
 /// use kahan_systems::special::gamma_ratio;
@@ -26,10 +26,10 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 ///
 /// If 2σ is an integer up to ±64, R or its reciprocal is a polynomial, which is evaluated.
 /// Otherwise the series is used at a large w, with at most about 12 + 2|σ| factors in `f64` and
-/// 40 + 2|σ| in [`Float256`](super::Float256). For w < −|σ| − 1/2, the reflection is used.
+/// 40 + 2|σ| in [`Float256`](super::Float256).
 ///
 /// In `f64`, for |σ| ≤ 3, the error is at most 4 ulp for w ≥ 20, and 40 ulp for 0 ≤ w ≤ 20. For −20
-/// ≤ w < 0 it is at most 64 ulp away from the poles.
+/// ≤ w < 0 the error is at most 64 ulp away from the poles.
 pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     if let Some(n) = small_integer(&(T::from_int(2) * *sigma)) {
         return rational_ratio(w, n);
@@ -50,9 +50,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     large.power_real(&(T::from_int(2) * *sigma)) * (-series).exp() * (numerator / denominator)
 }
 
-/// Returns ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ) for real w and σ away from the poles. The difference is
-/// the derivative of ln [`centered_gamma_ratio`] by w. The relative precision is full even where
-/// both terms are nearly equal.
+/// Returns ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ) for real w and σ away from the poles. The relative
+/// precision is full even where both terms are nearly equal.
 ///
 /// ```
 /// use kahan_systems::special::centered_digamma_difference;
@@ -81,8 +80,7 @@ pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     two * (*sigma / large + series + *sigma * descent)
 }
 
-/// Returns whether w is so negative that the reflection is used. For −|σ| − 1/2 ≤ w < 0 the
-/// recurrence is used instead, because the reflection might multiply a pole by a zero.
+/// Returns whether w is so negative that the reflection is used.
 fn is_reflected<T: Real>(w: &T, sigma: &T) -> bool {
     *w < -(sigma.abs() + T::half())
 }
@@ -91,8 +89,8 @@ fn fold<T: Real>(w: &T) -> T {
     *w - (*w + T::half()).floor()
 }
 
-/// Returns the quotient R(w, σ)/R(−w, σ) of centred ratios. It is cos π(σ − f)/cos π(σ + f), where
-/// f is w minus the nearest integer. This follows from Γ(z)Γ(1−z) = π/sin πz.
+/// Returns R(w, σ)/R(−w, σ) = cos π(σ − f)/cos π(σ + f) for the centred ratio R, where f is w minus
+/// the nearest integer. This follows from Γ(z)Γ(1−z) = π/sin πz.
 fn reflection<T: Real>(w: &T, sigma: &T) -> T {
     let fold = fold(w);
     cos_pi(&(*sigma - fold)) / cos_pi(&(*sigma + fold))
@@ -112,16 +110,15 @@ fn rational_ratio<T: Real>(w: &T, n: i64) -> T {
 }
 
 /// Returns the sum Σ_{m≥1} term(m, B_{2m+1}(1/2 + σ)) w^(−2m) to the precision of T. The Bernoulli
-/// polynomials follow from B_n(1/2 + σ) = Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) =
-/// (2^(1−k) − 1) B_k, which is nonzero for even k only.
+/// polynomials are B_n(1/2 + σ) = Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) = (2^(1−k) − 1) B_k.
 fn odd_bernoulli_sum<T: Real>(w: &T, sigma: &T, term: impl Fn(i64, T) -> T) -> T {
     let middle = middle_values::<T>();
     let terms = 1..=T::bernoulli().len() as i64;
     sum_in_inverse_squares(w, terms.map(|m| term(m, binomial_sum(2 * m + 1, sigma, &middle))))
 }
 
-/// Returns the sum of C(n, k) vₖ σ^(n−k) over even k < n, for odd n. `values` are v₀, v₂, v₄, ….
-/// The method is Horner's scheme.
+/// Returns the sum of C(n, k) vₖ σ^(n−k) over even k < n, for odd n, by Horner's scheme. `values`
+/// are v₀, v₂, v₄, ….
 pub(super) fn binomial_sum<T: Real>(n: i64, sigma: &T, values: &[T]) -> T {
     let square = sigma.square();
     let mut binomial = T::one();

@@ -1,10 +1,8 @@
 //! Transcendental functions in two precisions: `f64`, and 256 bits as [`Float256`].
 //!
-//! The trait [`Real`] is that of numbers in closed solutions. Γ, ψ, ratios of Γ, elliptic
-//! integrals, Jacobi's elliptic functions and theta functions are generic over both types. For
-//! `f64`, established crates are used where they are accurate. The documented error bounds were
-//! measured against [`Float256`] and are tested. No function panics; if there is no real value, the
-//! result is NaN.
+//! Γ, ψ, ratios of Γ, elliptic integrals, Jacobi's elliptic functions and theta functions accept
+//! every [`Real`]. The documented error bounds were measured against [`Float256`] and are tested.
+//! No function panics; without a real value, the result is NaN.
 
 mod bernoulli;
 mod elliptic;

@@ -1,4 +1,4 @@
-//! Integrates functions numerically over a finite interval, to the precision of the number type.
+//! Numerical integration over a finite interval, to the precision of the number type.
 
 use super::Real;
 
@@ -7,16 +7,15 @@ use super::Real;
 pub struct Integral<T> {
     /// The value of the integral.
     pub value: T,
-    /// The difference of the last two sums. Convergence is quadratic, so the value is usually much
-    /// more accurate than this. If the integrand is not smooth enough, the difference stays large.
+    /// The difference of the last two sums, usually much larger than the error of the value.
     pub change: T,
 }
 
 /// Integrates f over [from, to] by the substitution x = tanh(½π sinh u) (Takahasi and Mori). The
-/// function f must be analytic inside the interval. It may have integrable singularities at the
-/// ends, where it is never evaluated. The step in u is halved, at most 10 times, until two sums
-/// agree to 2⁸ ulp or differ only by rounding errors of f. Smooth functions take about 60
-/// evaluations in `f64`, and 400 in [`Float256`](super::Float256).
+/// function f must be analytic inside the interval, and may have integrable singularities at the
+/// ends. The step in u is halved, at most 10 times, until two sums agree to 2⁸ ulp or differ only
+/// by rounding errors of f. Smooth functions take about 60 evaluations in `f64`, and 400 in
+/// [`Float256`](super::Float256).
 ///
 /// ```
 /// use kahan_systems::special::integrate;
@@ -28,8 +27,7 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     if half_width.is_zero() {
         return Integral { value: T::zero(), change: T::zero() };
     }
-    // At this u the weight cosh u e^(−π sinh u) is below the square of the precision, and thus
-    // negligible.
+    // At this u the weight cosh u e^(−π sinh u) is below the square of the precision.
     let reach = (T::from_int(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
     let reach = libm::log(reach + (reach * reach + 1.0).sqrt()) + 0.2;
     let quarter_turn = T::pi() * T::half();
@@ -70,8 +68,7 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     Integral { value: estimate * scale, change: change * scale.abs() }
 }
 
-/// Returns the sum of pair(j·step) over j = first, first + stride, …, while j·step is at most
-/// `reach`.
+/// Returns the sum of pair(j·step) over j = first, first + stride, … with j·step ≤ `reach`.
 fn sum_of<T: Real>(first: i64, stride: usize, step: f64, reach: f64, pair: &impl Fn(&T) -> T) -> T {
     let last = (reach / step).floor() as i64;
     (first..=last).step_by(stride).fold(T::zero(), |sum, j| sum + pair(&T::from(j as f64 * step)))

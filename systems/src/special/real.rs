@@ -3,26 +3,24 @@
 use kahan_core::Pivot;
 use kahan_core::num_rational::BigRational;
 
-/// A real number of finite precision with elementary functions, Γ and ψ. The trait is implemented
-/// for `f64` and [`Float256`](super::Float256). If there is no real value (0/0, ln(−1), a pole of
-/// Γ), the result is NaN. Comparisons with NaN are false, and its
-/// [`is_finite_number`](Pivot::is_finite_number) is false. Methods take references; the operators
-/// of [`Scalar`](kahan_core::Scalar) take values. Conversions from `f64` are exact.
+/// A real number of finite precision with elementary functions, Γ and ψ: `f64` or
+/// [`Float256`](super::Float256). Without a real value (0/0, ln(−1), a pole of Γ), the result is
+/// NaN. Comparisons with NaN are false, and [`is_finite_number`](Pivot::is_finite_number) is false
+/// for NaN.
 pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
-    /// The number of decimal digits, which is 15 for `f64` and 76 for
-    /// [`Float256`](super::Float256).
+    /// The number of decimal digits: 15 for `f64`, 76 for [`Float256`](super::Float256).
     const DIGITS: usize;
 
     /// Returns the distance from 1 to the next larger number, which is twice the unit roundoff.
     fn epsilon() -> Self;
 
-    /// Converts an integer, which is rounded to nearest if necessary.
+    /// Converts an integer to the nearest number.
     fn from_int(n: i64) -> Self;
 
     /// Rounds a rational to the nearest number.
     fn from_rational(q: &BigRational) -> Self;
 
-    /// Returns p/q; NaN if q = 0.
+    /// Returns p/q, or NaN if q = 0.
     fn from_ratio(p: i64, q: i64) -> Self {
         Self::from_int(p) / Self::from_int(q)
     }
@@ -38,7 +36,7 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// Returns |x|.
     fn abs(&self) -> Self;
 
-    /// Returns √x; NaN if x < 0.
+    /// Returns √x, or NaN if x < 0.
     fn sqrt(&self) -> Self;
 
     /// Returns eˣ.
@@ -56,7 +54,7 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// Returns (sin x, cos x) for x in radians.
     fn sin_cos(&self) -> (Self, Self);
 
-    /// Returns the angle of the point (x, `self`), in (−π, π]. At the origin it is 0.
+    /// Returns the angle of the point (x, `self`), in (−π, π], or 0 at the origin.
     fn atan2(&self, x: &Self) -> Self;
 
     /// Returns (sinh x, cosh x).
@@ -71,15 +69,15 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// Returns the largest integer ≤ x.
     fn floor(&self) -> Self;
 
-    /// Returns Γ(x); NaN at the poles 0, −1, −2, …. The errors are documented at
-    /// [`gamma`](super::gamma).
+    /// Returns Γ(x), or NaN at the poles 0, −1, −2, …. [`gamma`](super::gamma) documents the
+    /// errors.
     fn gamma(&self) -> Self;
 
-    /// Returns ψ(x) = Γ′(x)/Γ(x); NaN at the poles 0, −1, −2, …. The errors are documented at
-    /// [`digamma`](super::digamma).
+    /// Returns ψ(x) = Γ′(x)/Γ(x), or NaN at the poles 0, −1, −2, …. [`digamma`](super::digamma)
+    /// documents the errors.
     fn digamma(&self) -> Self;
 
-    /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈. The numbers are computed once.
+    /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈, computed once.
     fn bernoulli() -> &'static [Self];
 
     /// Returns 1/2.

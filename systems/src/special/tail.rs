@@ -1,9 +1,9 @@
 //! Sums the tails of the series for the integrals K̂₇ and K̂₈, by asymptotic expansions.
 //!
-//! With w = N + j + 1/2, j ≥ 0, a term of the series expands as Σ_i w^(−s−2i)(a_i + b_i ln w + c_i
-//! ln² w). The midpoint form of the Euler–Maclaurin formula sums each power: Σ_j w_j^(−s) = N^(1−s)
-//! [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))]. Derivatives by s yield the
-//! logarithms. Jets compute the derivatives; a jet is a polynomial in η for the exponent s + η.
+//! With w = N + j + 1/2, a term of the series is Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w). The
+//! midpoint form of the Euler–Maclaurin formula sums each power: Σ_j w_j^(−s) = N^(1−s) [1/(s−1) +
+//! Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))]. Derivatives by s yield the logarithms.
+//! Polynomials in η for the exponent s + η (jets) give the derivatives.
 
 use super::Real;
 use super::gamma::asymptotic_from;
@@ -25,9 +25,9 @@ fn order<T: Real>() -> usize {
 /// Returns the sum Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)). Here ξ = 2σ + 1, and Y_j is
 /// 1/R(N + j, σ) with the centred ratio R of Γ. Requires ξ > 0 and N ≥ [`asymptotic_start`].
 ///
-/// Let w = N + j + 1/2. Let p_n(σ) be the Bernoulli polynomial of degree n without its term of
-/// degree n − 1. Then the term with index j is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m
-/// 2p_{2m+1}(σ)/(m(2m+1) w^(2m)).
+/// Let w = N + j + 1/2, and let p_n(σ) be the Bernoulli polynomial of degree n without its term of
+/// degree n − 1. The term with index j is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m 2p_{2m+1}(σ)/(m(2m+1)
+/// w^(2m)).
 pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     let sigma = (*xi - T::one()) * T::half();
     let numbers: Vec<T> = core::iter::once(T::one()).chain(T::bernoulli().iter().copied()).collect();
@@ -42,8 +42,8 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
 /// Returns the sum Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)). Here Y_j is
 /// h − ψ(N + j + 1/2) with the digamma function ψ. Requires N ≥ [`asymptotic_start`].
 ///
-/// Let w = N + j + 1/2, and let B₂ₘ be the Bernoulli numbers. Let D = h − ψ(w) − 1/(2w) = h + Σ
-/// B₂ₘ/(2m w^(2m)) − ln w. Then the term with index j is (D + D² − 1/(4w²))/(2w(w² − 1)).
+/// With w = N + j + 1/2, Bernoulli numbers B₂ₘ, and D = h + Σ B₂ₘ/(2m w^(2m)) − ln w, the term with
+/// index j is (D + D² − 1/(4w²))/(2w(w² − 1)).
 pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
     let even: Vec<T> = core::iter::once(*h)
         .chain((1..).zip(T::bernoulli()).map(|(m, number)| *number / T::from_int(2 * m)))
@@ -111,8 +111,8 @@ fn product<T: Real>(a: &[T], b: &[T]) -> Vec<T> {
     (0..a.len()).map(|n| (0..=n).fold(T::zero(), |sum, i| sum + a[i] * b[n - i])).collect()
 }
 
-/// Returns the exponential of a power series Σ cₘ vᵐ without constant term. The coefficients eₙ of
-/// the exponential follow from n eₙ = Σ m cₘ eₙ₋ₘ.
+/// Returns the exponential of a power series Σ cₘ vᵐ without constant term. The coefficients are eₙ
+/// with n eₙ = Σ m cₘ eₙ₋ₘ.
 fn exponential<T: Real>(series: &[T]) -> Vec<T> {
     let mut result = vec![T::one()];
     for n in 1..series.len() {

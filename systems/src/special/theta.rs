@@ -1,4 +1,4 @@
-//! Computes the theta functions ϑ₁, ϑ₂, ϑ₃ and ϑ₄ of a real argument, by series in the nome.
+//! The theta functions ϑ₁, ϑ₂, ϑ₃ and ϑ₄ of a real argument, by series in the nome.
 
 use super::Real;
 use super::gamma::not_a_number;
@@ -16,10 +16,10 @@ pub struct Theta<T> {
     pub four: T,
 }
 
-/// Returns the four theta functions at z, which have the period 2π, for the nome 0 ≤ q < 1. For
-/// other q they are NaN. A precision of D digits takes √(D ln 10/ln(1/q)) terms: 4 for q = 0.1 in
-/// `f64`, and 40 for q = 0.9 in [`Float256`](super::Float256). In `f64`, for q ≤ 0.9 and |z| ≤ 10,
-/// the error is at most 10 units of 2⁻⁵² max(1, |ϑ|).
+/// Returns the four theta functions at z for the nome 0 ≤ q < 1, or NaN for other q. A precision of
+/// D digits takes √(D ln 10/ln(1/q)) terms: 4 for q = 0.1 in `f64`, and 40 for q = 0.9 in
+/// [`Float256`](super::Float256). In `f64`, for q ≤ 0.9 and |z| ≤ 10, the error is at most 10 units
+/// of 2⁻⁵² max(1, |ϑ|).
 ///
 /// ```
 /// use kahan_systems::special::theta;
@@ -39,8 +39,8 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_zero() {
         return sum;
     }
-    // Rotate the angle step by step. Chebyshev's recurrence for sin jz would lose digits near z =
-    // 0.
+    // The angle is rotated step by step. Chebyshev's recurrence for sin jz would lose digits near z
+    // = 0.
     let (mut s, mut c) = (T::zero(), T::one());
     let quarter = q.sqrt().sqrt();
     // The powers are q^(j²/4) for j = 0, 1, 2, …. The ratio of neighbours is q^((2j+1)/4).
@@ -59,8 +59,7 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
             sum.three += term * c;
             sum.four += alternating(term * c);
         }
-        // The bound is relative to the first term of ϑ₁ and ϑ₂, so that these stay precise for
-        // small q.
+        // The bound is relative to the first term of ϑ₁ and ϑ₂, which stay precise for small q.
         if term < T::epsilon() * T::half() * quarter {
             break;
         }

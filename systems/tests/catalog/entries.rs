@@ -1,5 +1,4 @@
-//! Tests that every block of the catalog is valid, that its claims are proved, and that every claim
-//! has a source.
+//! Tests that every block of the catalog is valid and proved, and that every claim has a source.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::read;

@@ -1,7 +1,6 @@
-//! Tests the operation counts of steps, for the catalog and other well-known fields.
+//! Tests the operation counts of steps, which must not exceed those of careful manual code.
 //!
-//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems operation_counts` rewrites the table, so
-//! that the diff shows changes of the planner. Counts must not exceed those of careful manual code.
+//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems operation_counts` rewrites the table.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -14,7 +13,6 @@ use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
 use kahan_systems::registry::{SYSTEMS, find};
 
-/// Further fields: systems of the catalog that are not in the paper.
 const FURTHER: [&str; 2] = ["lorenz", "clebsch"];
 const OTHERS: [(&str, &str); 4] = [
     (
@@ -46,7 +44,6 @@ fn catalog(name: &str) -> System {
     system(find(name).expect("a system of the catalog").text())
 }
 
-/// Returns the number of prepared constants of a step, and its cost.
 fn step_cost(field: &Field) -> Option<(usize, Cost)> {
     let step = StepPlan::of(field)?;
     Some((step.constants.outputs.len(), step.next(&field.symbols).cost()))
@@ -95,12 +92,10 @@ fn the_table_of_operation_counts_is_the_committed_one() {
 }
 
 /// The number of operations of careful manual code with the shortest critical path and one
-/// reciprocal (two for E5). Products of ε and parameters are prepared, and common subexpressions
-/// are computed once.
+/// reciprocal (two for E5). Products of ε and parameters are prepared.
 ///
-/// Each comment lists the code and its operations. In it, e = ε, d = 2ε, X = e·x, Y = e·y, Z = e·z,
-/// and i = 1/D for the denominator D. The increments of the variables are the numerators n (or n,
-/// m; n₁, n₂, n₃) multiplied by i.
+/// In the comments, e = ε, d = 2ε, X = e·x, Y = e·y, Z = e·z, and i = 1/D for the denominator D.
+/// The increments of the variables are the numerators n (or n, m; n₁, n₂, n₃) multiplied by i.
 const BY_HAND: [(&str, usize); 8] = [
     // D = (1 + (Y−X)) + e((X+Y)−e), n = d·x·((1−y)−(X−e)), m = d·y·((x−1)+(e−Y)): 13 additions, 9
     // multiplications, 1 division.
@@ -149,8 +144,7 @@ fn no_step_takes_more_operations_than_careful_code_by_hand() {
 mod folding {
     use super::*;
 
-    /// Returns the step plan of a catalog system at ξ = 1. The map is reduced after ξ is
-    /// substituted.
+    /// Returns the step plan of a catalog system at ξ = 1, reduced after the substitution of ξ.
     fn at_xi_1(name: &str) -> Option<StepPlan> {
         let special =
             catalog(name).specialise(&[(0, Rational::one())]).expect("the field has a value at ξ = 1");

@@ -1,4 +1,4 @@
-//! Compares the quadrature of E9 with its closed cases and with the differential equation.
+//! Compares the quadrature of E9 with closed solutions and with the differential equation.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -16,7 +16,7 @@ fn start() -> Point<Float256> {
 fn integrals_of_known_value() {
     let one = Float256::from_int(1);
     assert_close(&integrate(&Float256::zero(), &one, Real::exp).value, &one.exp_m1(), 74, "exp");
-    // The integrand has a singularity at the left end. The second interval is reversed.
+    // The integrand has a singularity at the left end.
     let root = integrate(&Float256::zero(), &one, |x: &Float256| one / x.sqrt()).value;
     assert_close(&root, &Float256::from_int(2), 37, "inverse root");
     let back = integrate(&one, &Float256::zero(), Real::exp).value;
@@ -29,7 +29,7 @@ fn the_quadrature_is_the_time_of_the_closed_cases() {
     for xi in ["2", "1/2", "1", "-1"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
         let trajectory = e9::FlowSolution::through(&xi, &start()).unwrap();
-        // At all these times z > 0, so x decreases.
+        // At all these times z > 0; therefore x decreases.
         let times = ["0", "1/20", "1/6"].map(number);
         let points = times.each_ref().map(|t| trajectory.at(t));
         let clock = points.each_ref().map(|point| quadrature.time_from_largest(&point[0]));
@@ -65,8 +65,7 @@ fn the_period_of_e4_is_four_quarter_periods() {
 
 #[test]
 fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
-    // Central differences of order 2 with two steps h approximate dt/dx = −1/(xz). Their error is
-    // O(h²).
+    // Central differences with two steps h approximate dt/dx = −1/(xz) with the error O(h²).
     for xi in ["-1/2", "3/2", "-7/3", "5"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
         let x = start()[0];
@@ -79,8 +78,7 @@ fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
         let h = ten_to_minus(16);
         let coarse = slope(&(Float256::from_int(2) * h));
         let fine = slope(&h);
-        // Richardson's extrapolation has order 4. Its error 10^(−64) is below the rounding error
-        // 10^(−60).
+        // Richardson's extrapolation has the error 10^(−64), below the rounding error 10^(−60).
         let extrapolated = fine + (fine - coarse) / Float256::from_int(3);
         assert_close(&(extrapolated * field[0]), &Float256::from_int(1), 50, "dt/dx");
     }

@@ -33,8 +33,8 @@ pub(crate) fn cases(system: &str) -> Vec<Case> {
     data["cases"].as_array().expect("cases").iter().map(read).collect()
 }
 
-/// Returns the points with −back ≤ n ≤ forward and their n. In each direction the orbit ends at the
-/// first pole.
+/// Returns n and the point for −back ≤ n ≤ forward. In each direction the orbit ends at the first
+/// pole.
 pub(crate) fn orbit<M, T>(
     map: M,
     start: &Point<T>,
@@ -66,8 +66,8 @@ pub(crate) fn norm(point: &Point<Float256>) -> Float256 {
         .fold(Float256::from_int(0), |norm, value| if value.abs() > norm { value.abs() } else { norm })
 }
 
-/// Asserts that a solution agrees with the exact orbit to `digits` digits of each point's norm.
-/// Returns the number of points.
+/// Asserts that a solution agrees with the exact orbit to `digits` digits of each point's norm, and
+/// returns the number of points.
 pub(crate) fn assert_on_orbit(
     exact: &[(i64, Point<Rational>)],
     at: impl Fn(i64) -> Point<Float256>,
@@ -101,13 +101,11 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
     }
 }
 
-/// Returns the largest error of an `f64` solution, in units of 2⁻⁵² of the point's norm multiplied
-/// by the condition. The solution is compared with 8 backward and 12 forward steps of the map in
-/// 256 bits from the same point.
+/// Returns the largest error of an `f64` solution, in units of 2⁻⁵² of the point's norm times the
+/// condition. The solution is compared with 8 backward and 12 forward steps of the map in 256 bits.
 ///
-/// The condition is (1 + |argument|) max(1, |ε| rate norm). The first factor occurs because the
-/// argument (T, v or N) of a solution is rounded, the second because large points are near poles.
-/// The rate is 1 for systems without coefficients.
+/// The condition is (1 + |argument|) max(1, |ε| rate norm). The argument (T, v or N) of a solution
+/// is rounded, and large points are near poles. The rate is 1 for systems without coefficients.
 pub(crate) fn ulps<M>(
     map: M,
     case: &Rounded,
@@ -120,7 +118,6 @@ where
 {
     let (mut worst, mut compared) = (0.0_f64, 0);
     for (n, expected) in orbit(map, &case.start.map(Float256::from), &Float256::from(case.eps), [8, 12]) {
-        // Skip points beyond a pole.
         if expected.iter().any(|value| !value.is_defined()) {
             continue;
         }

@@ -1,6 +1,5 @@
 //! Tests that the solutions of Table 5 and related solutions satisfy the differential equations to
-//! 40 digits. The derivative is a central difference of order 12 over ±6h with h = 10^(−6). The
-//! truncation error of the difference is about h¹², and its rounding error is 10^(−71).
+//! 40 digits. The derivative is a central difference of order 12 with h = 10^(−6).
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -28,8 +27,7 @@ fn derivative(at: &impl Fn(&Float256) -> Point<Float256>, t: &Float256) -> Point
     sum
 }
 
-/// Asserts that the trajectory begins at the given point, and that its derivative equals the field
-/// at several times.
+/// Asserts that the trajectory begins at the given point and satisfies the differential equation.
 fn assert_solves(
     field: &impl QuadraticField<Float256, 3>,
     start: &Point<Float256>,
@@ -46,7 +44,7 @@ fn assert_solves(
     }
 }
 
-/// Returns points in all octants and of several sizes. No pole is near the times that are tested.
+/// Returns points in all octants and of several sizes, without poles near the tested times.
 fn points() -> Vec<Point<Float256>> {
     let coordinates = [["3/7", "11/13", "23/47"], ["7/3", "11/13", "8/5"], ["5/3", "1/9", "17/6"]];
     (0..8)

@@ -1,5 +1,4 @@
-//! Tests the transcendental integrals of the maps of E7 and E8, their special cases, and the
-//! digamma bracket.
+//! Tests the transcendental integrals of the maps of E7 and E8, and the digamma bracket.
 
 use kahan_core::prelude::*;
 use kahan_systems::special::{Float256, Real};
@@ -21,9 +20,8 @@ fn starts() -> Vec<(Point<BigRational>, BigRational)> {
 
 #[test]
 fn values_at_the_point_of_the_paper() {
-    // The values are from mpmath 1.3 at 80 digits: the integrals H by `gamma` and `digamma`, and K7
-    // by `hyper` (the 4F3 at 1). K8 is the sum of 200 terms of its series, and of the other terms
-    // by the Abel-Plana formula (`quad`).
+    // The values are from mpmath 1.3 at 80 digits: the integrals H by `gamma` and `digamma`, K7 by
+    // `hyper` (the 4F3 at 1), and K8 by summation and the Abel-Plana formula (`quad`).
     let (start, eps) = paper();
     let xi = number("19/17");
     let h = e7::integral_h(&xi, &start, &eps);
@@ -132,8 +130,8 @@ fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
             let moved = jacobian * e7::bracket_of_h(&xi, &start, &eps) * jacobian.transpose();
             let next = map.step(&start, eps);
             assert_same(&e7::bracket_of_h(&xi, &next, &eps), &moved);
-            // The bracket must satisfy P dH = 0. The gradient is computed by central differences
-            // and one extrapolation.
+            // The bracket must satisfy P dH = 0. Central differences and one extrapolation give the
+            // gradient.
             let gradient = Point::from([0, 1, 2].map(|i| {
                 let slope = |h: Float256| {
                     let along = |sign: i64| {
@@ -155,8 +153,7 @@ fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
 
 #[test]
 fn floats_reach_their_precision() {
-    // The errors are relative, in units of 2⁻⁵². The reference is 256-bit arithmetic at the same
-    // floats.
+    // The errors are relative to 256-bit arithmetic at the same floats, in units of 2⁻⁵².
     let (mut worst_h, mut worst_k) = (0.0_f64, 0.0_f64);
     for (start, eps) in starts() {
         let float = start.map(|value| <f64 as Real>::from_rational(&value));

@@ -25,7 +25,6 @@ pub(crate) fn assert_close_above(
     assert!(error <= ten_to_minus(digits) * size, "{what}: {value} where {expected} is expected");
 }
 
-/// Asserts that the relative error is at most 10^(−digits).
 #[track_caller]
 pub(crate) fn assert_close(value: &Float256, expected: &Float256, digits: i64, what: &str) {
     assert_close_above(value, expected, digits, &Float256::zero(), what);

@@ -11,8 +11,6 @@ use crate::solutions::exact_orbits::{
 use crate::solutions::measure::assert_close;
 
 fn more() -> Vec<Case> {
-    // The points cover both branches, all signs, both signs of ε, and the border between the
-    // branches.
     let points = [
         ("1/2", ["3/2", "1/3", "5/2"]),
         ("1/2", ["3/2", "-1/3", "-5/2"]),

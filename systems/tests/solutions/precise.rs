@@ -19,7 +19,6 @@ fn rationals_are_rounded_once_to_nearest_with_ties_to_even() {
     assert_eq!(of("1"), of("0"));
     assert_eq!(of("3"), of("4"));
     assert_ne!(of("2"), of("0"));
-    // If a number is slightly above the middle between two floats, it rounds up.
     assert_eq!(of("1000000000000000001/1000000000000000000"), of("2"));
     assert_eq!(of("999999999999999999/1000000000000000000"), of("0"));
     assert_eq!(of("-1/2").to_digits(20), of("0").to_digits(20));
@@ -51,7 +50,6 @@ fn text_is_read_and_written() {
     assert_eq!(written("0", 9), "0");
     assert_eq!(written("5", 1), "5");
     assert_eq!(format!("{:.4} {:?}", number("1/3"), Float256::UNDEFINED), "0.3333 undefined");
-    // A number that is written with all its digits can be read back exactly.
     for text in ["1/3", "-17e40", "123/457"] {
         assert_eq!(number(&number(text).to_digits(80)), number(text));
     }

@@ -55,7 +55,7 @@ impl Mul for RootThree {
 impl Div for RootThree {
     type Output = Self;
 
-    // Use 1/(a + b√3) = (a − b√3)/(a² − 3b²).
+    // 1/(a + b√3) = (a − b√3)/(a² − 3b²)
     fn div(self, other: Self) -> Self {
         let norm = &other.a * &other.a - rational("3") * &other.b * &other.b;
         let product = self * Self { a: other.a, b: -other.b };

@@ -1,6 +1,6 @@
 //! Compares observed rotation numbers with those of closed elliptic solutions. On an orbit of the
-//! map of E4, and hence of the Euler top, the argument v increases by 2δ in each step. The
-//! functions sn and cn have the period 4K, and dn has 2K.
+//! map of E4, the argument v increases by 2δ in each step. The functions sn and cn have the period
+//! 4K, and dn has 2K.
 
 use kahan_core::observe::{Extrema, Extremes, Rotation};
 use kahan_core::prelude::*;
@@ -36,7 +36,7 @@ fn precise(x: SVector<f64, 3>) -> SVector<Float256, 3> {
     x.map(Float256::from)
 }
 
-/// Returns the distance of two rotation numbers, which are equal up to integers and up to sign.
+/// Returns the distance of two rotation numbers, modulo integers and sign.
 fn distance(a: f64, b: f64) -> f64 {
     let apart = |d: f64| (d - d.round()).abs();
     apart(a - b).min(apart(a + b))
@@ -78,8 +78,8 @@ fn variables_of_e4_turn_as_their_elliptic_functions() {
     for start in starts(10) {
         let solution = e4::Solution::through(&precise(start), &Float256::from(EPS)).expect("no fixed point");
         let Some(turns) = half_turn(&solution) else { continue };
-        // The coordinates x and y are half the sum and half the difference of two elliptic
-        // functions; z is a single one.
+        // x and y are half the sum and half the difference of two elliptic functions; z is a single
+        // one.
         for (_, found, error) in observed(&E4, start) {
             assert!(distance(found, turns) < 1e-12, "{start} {found} {turns} {error}");
             compared += 1;

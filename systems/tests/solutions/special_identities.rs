@@ -18,7 +18,7 @@ const ARGUMENTS: [&str; 6] = ["1/7", "0.5", "13/11", "41/6", "-2.75", "-31/9"];
 fn gamma_satisfies_recurrence_and_duplication() {
     for x in ARGUMENTS.map(number) {
         assert_close(&gamma(&(x + int(1))), &(x * gamma(&x)), 73, "recurrence");
-        // The identity is Γ(x)Γ(x + 1/2) = 2^(1−2x) √π Γ(2x).
+        // Γ(x)Γ(x + 1/2) = 2^(1−2x) √π Γ(2x)
         let left = gamma(&x) * gamma(&(x + Float256::half()));
         let power = int(2).power_real(&(int(1) - int(2) * x));
         let double = int(2) * x;
@@ -37,7 +37,7 @@ fn digamma_satisfies_recurrence_reflection_and_duplication() {
         if cosine.abs() > number("1e-60") {
             assert_close(&reflected, &(Float256::pi() * cosine / sine), 72, "reflection");
         }
-        // The identity is ψ(2x) = ln 2 + (ψ(x) + ψ(x + 1/2))/2.
+        // ψ(2x) = ln 2 + (ψ(x) + ψ(x + 1/2))/2
         let mean = (digamma(&x) + digamma(&(x + Float256::half()))) * Float256::half();
         let double = int(2) * x;
         if double.floor() != double || double.is_positive() {
@@ -75,13 +75,12 @@ fn the_centred_ratio_with_an_integer_difference_is_the_limit_of_its_neighbours()
 
 #[test]
 fn the_centred_ratio_has_no_false_poles() {
-    // If w is negative, w + 1/2 + σ can be 1, as in Γ(1)/Γ(−1/2) = −1/(2√π). The next ratio,
-    // Γ(5/2)/Γ(0), is zero.
+    // Γ(1)/Γ(−1/2) = −1/(2√π); the next ratio, Γ(5/2)/Γ(0), is zero.
     let ratio = centered_gamma_ratio(&number("-1/4"), &number("3/4"));
     assert_close(&ratio, &(int(-1) / (int(2) * Float256::pi().sqrt())), 74, "no pole");
     assert_eq!(centered_gamma_ratio(&number("3/4"), &number("5/4")), int(0));
     assert!(!centered_gamma_ratio(&number("-3/4"), &number("-3/4")).is_defined());
-    // The value is ψ(1) − ψ(−1/2) = ψ(1) − ψ(1/2) − 2 = 2 ln 2 − 2.
+    // ψ(1) − ψ(−1/2) = ψ(1) − ψ(1/2) − 2 = 2 ln 2 − 2
     let difference = centered_digamma_difference(&number("-1/4"), &number("3/4"));
     assert_close(&difference, &(int(2) * int(2).ln() - int(2)), 73, "no pole");
 }
@@ -97,8 +96,8 @@ fn the_centred_difference_is_the_difference_of_digammas() {
     }
 }
 
-/// Returns the complete elliptic integral of the second kind, E(k) = K(1 − Σ 2^(n−1) c_n²). The
-/// numbers c_n come from the arithmetic-geometric mean.
+/// Returns the complete elliptic integral of the second kind, E(k) = K(1 − Σ 2^(n−1) c_n²), with
+/// numbers c_n from the arithmetic-geometric mean.
 fn second_kind(k: &Float256) -> Float256 {
     let (mut a, mut b) = (int(1), ((int(1) - *k) * (int(1) + *k)).sqrt());
     let mut c = *k;

@@ -1,5 +1,4 @@
-//! Measures errors in `f64` against 256 bits at seeded random arguments, and compares them with the
-//! documented bounds.
+//! Measures errors in `f64` against 256 bits, and compares them with the documented bounds.
 
 use kahan_systems::special::{
     Float256, Jacobi, Modulus, Theta, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
@@ -25,8 +24,7 @@ impl Random {
     }
 }
 
-/// Asserts that each error is at most `bound` units of 2⁻⁵² of the value, or of `floor` if that is
-/// larger.
+/// Asserts that each error is at most `bound` units of 2⁻⁵² of the larger of the value and `floor`.
 fn assert_bounded<A: Copy + core::fmt::Debug>(
     what: &str,
     bound: f64,
@@ -76,7 +74,7 @@ fn ratios_of_gamma_are_within_64_ulp() {
             |(w, s)| centered_gamma_ratio(&p(w), &p(s)),
         );
     }
-    // The difference has zeros and poles for |w| ≤ |σ|, so larger w are drawn.
+    // The difference has zeros and poles for |w| ≤ |σ|; therefore larger w are drawn.
     assert_bounded(
         "the difference of digammas",
         16.0,
@@ -87,7 +85,7 @@ fn ratios_of_gamma_are_within_64_ulp() {
     );
 }
 
-/// Draws a modulus from [0, 1). It is uniform, or close to 1 if `near_one`.
+/// Draws a modulus from [0, 1), uniformly or close to 1.
 fn modulus(random: &mut Random, near_one: bool) -> f64 {
     if near_one { 1.0 - 10.0_f64.powf(random.between(-15.0, -1.0)) } else { random.between(0.0, 0.999) }
 }

@@ -1,6 +1,5 @@
-//! Compares special functions with 60 digits of mpmath 1.3. The values were computed at 70 to 100
-//! digits by `gamma`, `digamma`, `loggamma`, `ellipfun`, `ellipk`, `ellipf`, `jtheta` and `qfrom`,
-//! and printed by `nstr(…, 60)`.
+//! Compares special functions with 60 digits of mpmath 1.3: `gamma`, `digamma`, `loggamma`,
+//! `ellipfun`, `ellipk`, `ellipf`, `jtheta` and `qfrom` at 70 to 100 digits.
 
 use kahan_systems::special::{
     Float256, Modulus, Real, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
@@ -145,8 +144,8 @@ fn theta_functions() {
 fn check_theta(z: &str, q: &str, expected: [&str; 4]) {
     let value = theta(&number(z), &number(q));
     for (value, expected) in [value.one, value.two, value.three, value.four].iter().zip(expected) {
-        // Near a zero of a theta function, digits are relative to the terms of the series, which
-        // have size 1.
+        // Near a zero of a theta function, digits are relative to the terms of the series, of
+        // size 1.
         let error = (*value - number(expected)).abs();
         assert!(error < Float256::from_int(10).power(-DIGITS), "{value} where {expected} is expected");
     }

@@ -15,7 +15,7 @@ pub(super) struct Allocator<'a> {
     pub(super) ends: ResultDestination,
     pub(super) time: usize,
     pub(super) uses: Uses,
-    /// The value that each register holds, without the registers reserved for constants.
+    /// The value that each register holds. Registers reserved for constants are left out.
     pub(super) registers: Vec<Option<usize>>,
     pub(super) locked: Vec<bool>,
     pub(super) register_of: Vec<Option<Vector>>,
@@ -63,8 +63,7 @@ impl<'a> Allocator<'a> {
         allocator
     }
 
-    /// Finds each result's destination. A result is stored last if later operations still read the
-    /// state that it overwrites.
+    /// Finds each result's destination, and whether the result must be stored last.
     fn expect_results(&mut self) {
         let results: Vec<usize> = self.program.outputs.iter().map(|output| output.0).collect();
         let mut states: Vec<Option<usize>> = vec![None; results.len()];
@@ -159,7 +158,6 @@ impl<'a> Allocator<'a> {
         self.drop_dead(value);
     }
 
-    /// Stores the results that had to wait until all states were read.
     fn store_last(&mut self) {
         for (i, output) in self.program.outputs.iter().enumerate() {
             if self.waits[i] {
@@ -179,8 +177,7 @@ impl<'a> Allocator<'a> {
         self.finish(&[a, b], |to| MachineInstruction::Binary(operator, to, first, second));
     }
 
-    /// Writes a fused multiply-add. The `FusedOrder` of the instruction tells which operand the
-    /// result overwrites.
+    /// Writes a fused multiply-add, which overwrites one of its operands.
     fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
         let operands = operands.map(|operand| operand.0);
         let [mut a, mut b, c] = operands;
@@ -208,8 +205,7 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // The operand that is in memory is loaded into a fresh register, otherwise the addend
-            // is copied.
+            // If an operand is in memory, it is loaded. Otherwise the addend is copied.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {

@@ -1,10 +1,9 @@
 //! Register allocation for straight-line code.
 //!
-//! In: a lowered program, and the number of registers. Out: machine instructions on registers and
-//! memory. A value stays in a register until its last use. If no register is free, the value with
-//! the farthest next use is spilled, which minimises loads (L. A. Belady, IBM Systems J. 5 (1966)
-//! 78). Spilled values without a memory location get a stack slot. Constants are read from memory,
-//! but a loop keeps its most used ones in spare registers.
+//! A value stays in a register until its last use. If no register is free, the value with the
+//! farthest next use is spilled to the stack, which minimises loads (L. A. Belady, IBM Systems J. 5
+//! (1966) 78). Constants are read from memory, but a loop keeps its most used constants in spare
+//! registers.
 
 mod allocator;
 mod moves;
@@ -52,7 +51,6 @@ pub(crate) struct Allocation {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
-    /// The place where the results end.
     pub(crate) ends: ResultDestination,
     /// Whether many rounds run with equal constants.
     pub(crate) keeps_constants: bool,
@@ -110,7 +108,7 @@ impl Allocation {
         self.all().count()
     }
 
-    /// Returns the number of vector registers in use, one more than the highest register written.
+    /// Returns the number of vector registers in use, counted up to the highest register.
     pub(crate) fn vectors(&self) -> u8 {
         let written = self.all().filter_map(MachineInstruction::written);
         written.map(|register| register.0 + 1).max().unwrap_or(0)

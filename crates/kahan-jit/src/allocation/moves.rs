@@ -36,7 +36,7 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
     }
 }
 
-/// Returns the index of a move whose target no other move reads. Without one, any move is returned.
+/// Returns the index of a move whose target no other move reads, if possible.
 fn next(moves: &[(Vector, Source<ValueLocation>)]) -> Option<usize> {
     let is_free = |(to, _): &(Vector, Source<ValueLocation>)| {
         !moves.iter().any(|(_, source)| *source == Source::Register(*to))
@@ -44,7 +44,6 @@ fn next(moves: &[(Vector, Source<ValueLocation>)]) -> Option<usize> {
     moves.iter().position(is_free).or(if moves.is_empty() { None } else { Some(0) })
 }
 
-/// Returns a register that no move reads or writes.
 fn spare(moves: &[(Vector, Source<ValueLocation>)], states: usize, registers: usize) -> Option<Vector> {
     let is_read = |register: Vector| moves.iter().any(|(_, source)| *source == Source::Register(register));
     (states..registers).map(|index| Vector(index as u8)).find(|register| !is_read(*register))

@@ -19,7 +19,7 @@ impl Allocator<'_> {
         self.register_of[value].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
     }
 
-    /// Returns the register of an operand. If the operand is in memory, it is loaded first.
+    /// Returns the register of an operand, which is loaded if it is in memory.
     pub(super) fn in_register(&mut self, value: usize) -> Vector {
         if let Source::Memory(place) = self.source(value) {
             let register = self.fresh();
@@ -31,7 +31,7 @@ impl Allocator<'_> {
         self.source_register(value)
     }
 
-    /// Returns an operand. The operand stays in memory if loading it into a register does not pay.
+    /// Returns an operand, which stays in memory if loading does not pay.
     pub(super) fn operand(&mut self, value: usize) -> Source<ValueLocation> {
         if self.is_worth_loading(value) {
             return Source::Register(self.in_register(value));
@@ -40,8 +40,7 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Returns whether loading a value from memory pays: a variable is read again and a register is
-    /// free.
+    /// Returns whether loading a variable pays: it is read again, and a register is free.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable =
             !matches!(self.home[value], Some(ValueLocation::Constant(_) | ValueLocation::Literal(_)) | None);
@@ -57,8 +56,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register for the current value. If the value becomes state i, register i is
-    /// preferred.
+    /// Returns a register for the current value. The value of the next state i prefers register i.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == ResultDestination::Carried);
         match carried {
@@ -78,7 +76,6 @@ impl Allocator<'_> {
         Vector(index as u8)
     }
 
-    /// Spills the unlocked register whose value has the farthest next use.
     pub(super) fn give_up(&mut self) -> usize {
         let next = |register: &usize| {
             self.registers[*register]

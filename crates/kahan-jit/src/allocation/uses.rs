@@ -1,4 +1,4 @@
-//! The later uses of each value decide which value is spilled.
+//! The later uses of each value, which decide which value is spilled.
 
 use crate::lowering::SIGN;
 use crate::program::{Instruction, Program};
@@ -8,7 +8,7 @@ pub(super) struct Uses {
     times: Vec<u32>,
     /// For each value, the range of its remaining uses in `times`.
     of: Vec<[usize; 2]>,
-    /// The index of the constant [`SIGN`], which negations read without naming it as an operand.
+    /// The index of the constant [`SIGN`], which negations read implicitly.
     sign: Option<usize>,
 }
 
@@ -49,7 +49,7 @@ impl Uses {
         self.sign.unwrap_or_else(|| unreachable!("it stands in every program that changes a sign"))
     }
 
-    /// Adds a use at `time`, later than all other uses, unless the value already has it.
+    /// Adds a use at `time`, later than all other uses, unless the value already has this use.
     pub(super) fn add(&mut self, value: usize, time: usize) {
         if self.last(value) != Some(time) {
             self.push(value, time);
@@ -72,7 +72,6 @@ impl Uses {
         self.left(value).find(|use_| *use_ > time)
     }
 
-    /// Drops the uses up to and including `time`.
     pub(super) fn end(&mut self, value: usize, time: usize) {
         while self.next(value).is_some_and(|next| next <= time) {
             self.of[value][0] += 1;

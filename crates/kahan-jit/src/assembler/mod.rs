@@ -1,8 +1,7 @@
 //! Assemblers for straight-line floating-point code, one per processor.
 //!
-//! In: one call per instruction, on registers and memory. Out: machine code, followed by a pool of
-//! constants. The modules of both processors have an `Assembler` and register names with the same
-//! interface. Tests compile both modules and compare their bytes with those of other assemblers.
+//! The machine code is followed by a pool of constants. Tests compile the modules of both
+//! processors, and compare their bytes with those of other assemblers.
 
 #[cfg(any(target_arch = "aarch64", test))]
 mod a64;
@@ -27,22 +26,19 @@ pub(crate) enum Binary {
     Maximum,
     /// Computes a if a < b, else b.
     Minimum,
-    /// Computes a xor b on the bits. Here b is −0, and therefore the sign of a flips.
+    /// Computes a xor b on the bits. The operand b is −0, which flips the sign of a.
     ExclusiveOr,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Fused {
-    /// Computes product + addend.
     MultiplyAdd,
-    /// Computes product − addend.
     MultiplySubtract,
     /// Computes addend − product.
     SubtractProduct,
 }
 
-/// The operands of a fused operation, d, b and c, of which two are multiplied. The result
-/// overwrites d.
+/// The operands d, b and c of a fused operation. The result overwrites d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FusedOrder {
     /// Multiplies d by c; b is the addend.
@@ -58,12 +54,12 @@ pub(crate) enum FusedOrder {
 pub(crate) struct FrameNeeds {
     /// The size of the stack slots in bytes. The slots start at the stack pointer.
     pub(crate) stack: usize,
-    /// Whether the function uses [`GeneralRegister::POINTERS`]; some of these belong to the caller.
+    /// Whether the function uses [`GeneralRegister::POINTERS`], some of which are callee-saved.
     pub(crate) uses_pointers: bool,
     /// The number of vector registers in use, counted from the first register.
     pub(crate) vectors: u8,
     pub(crate) instructions: usize,
 }
 
-/// The smallest page size. The stack grows page by page, and therefore pages are touched in order.
+/// The smallest page size. The stack grows page by page; therefore pages are touched in order.
 const PAGE: usize = 4096;

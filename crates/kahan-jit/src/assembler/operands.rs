@@ -11,7 +11,6 @@ pub(crate) enum Element {
 /// The part of a register on which an instruction works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Width {
-    /// Only the lowest lane.
     Scalar,
     Bits128,
     Bits256,
@@ -26,7 +25,6 @@ pub(crate) struct OperandForm {
 }
 
 impl OperandForm {
-    /// Returns the size of an operand in bytes.
     pub(crate) fn bytes(self) -> usize {
         match (self.width, self.element) {
             (Width::Scalar, Element::Single) => 4,
@@ -67,7 +65,6 @@ pub(crate) enum Source<M> {
 }
 
 impl<M> Source<M> {
-    /// Converts a memory operand with `of`, and keeps a register.
     pub(crate) fn map<N>(self, of: impl FnOnce(M) -> N) -> Source<N> {
         match self {
             Self::Register(register) => Source::Register(register),

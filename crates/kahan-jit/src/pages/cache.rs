@@ -6,13 +6,11 @@ use core::arch::asm;
 /// Makes newly written code visible to the instruction fetch of every processor.
 ///
 /// The sequence follows the Arm Architecture Reference Manual (B2.2.5, "Concurrent modification and
-/// execution of instructions"). The data cache is cleaned first, then the instruction cache is
-/// invalidated. Each thread that runs the code must also call [`discard_fetched`].
+/// execution of instructions"). Each thread that runs the code must also call [`discard_fetched`].
 pub(super) fn publish(code: &[u8]) {
     let [data, instructions] = line_lengths();
     for line in lines(code, data) {
-        // SAFETY: the line contains a byte of `code`, and the instruction keeps the line's
-        // contents.
+        // SAFETY: the line contains a byte of `code`, and its contents stay unchanged.
         unsafe { asm!("dc cvau, {}", in(reg) line, options(nostack, preserves_flags)) };
     }
     // SAFETY: the barrier only waits for the instructions before it.
@@ -25,17 +23,15 @@ pub(super) fn publish(code: &[u8]) {
     unsafe { asm!("dsb ish", "isb", options(nostack, preserves_flags)) };
 }
 
-/// Returns the lengths in bytes of the shortest line of the data cache and of the instruction
-/// cache. Systems that reserve the register emulate this read.
+/// Returns the lengths in bytes of the shortest lines of the data and the instruction cache.
 fn line_lengths() -> [usize; 2] {
     let types: u64;
     // SAFETY: user programs may read this register.
     unsafe { asm!("mrs {}, ctr_el0", out(reg) types, options(nomem, nostack, preserves_flags)) };
-    // Both fields hold log₂ of a line length, in words of 4 bytes.
+    // Both fields hold log₂ of a line length, in units of 4 bytes.
     [16, 0].map(|shift| 4 << (types >> shift & 0xf))
 }
 
-/// Returns an address in each cache line that contains a byte of `code`.
 fn lines(code: &[u8], length: usize) -> impl Iterator<Item = usize> {
     let start = code.as_ptr().expose_provenance();
     (start / length * length..start + code.len()).step_by(length)

@@ -2,7 +2,6 @@
 
 use super::Pages;
 
-/// Returns more bytes than one page holds. Neighbouring bytes differ.
 fn bytes() -> Vec<u8> {
     (0..10_000_u32).map(|k| (k % 251) as u8).collect()
 }

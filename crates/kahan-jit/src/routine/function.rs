@@ -32,8 +32,8 @@ impl<T: Float> Function<T> {
             ValueLocation::Literal(_) | ValueLocation::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
-        // SAFETY: for each state and each constant of the program, the code reads one register. For
-        // each result, the code writes one register. Only `Code::function` enters the code.
+        // SAFETY: the code reads one register for each state and each constant of the program, and
+        // writes one register for each result. Only `Code::function` enters the code.
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
@@ -44,8 +44,7 @@ impl<T: Float> Function<T> {
         results
     }
 
-    /// Computes the results. For each entry of a program's array, the slice holds a register of
-    /// numbers.
+    /// Computes the results. For each number of the program, a slice holds a register of numbers.
     ///
     /// # Panics
     /// If an array is too short.

@@ -1,4 +1,4 @@
-//! Routines around straight-line code: a routine loads before a loop and stores after the loop.
+//! Routines around straight-line code, which load before a loop and store after the loop.
 
 mod function;
 mod orbit;
@@ -21,7 +21,7 @@ const MOST_INSTRUCTIONS: usize = 50_000;
 /// The maximum stack for slots in bytes, half of a thread's stack.
 const MOST_STACK: usize = 1 << 20;
 
-/// Returns the memory operand of a location. If necessary, the location's address is loaded first.
+/// Returns the memory operand of a location, and may first load the location's address.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, ValueLocation) -> Memory;
 
 struct Frame {
@@ -32,11 +32,8 @@ struct Frame {
 }
 
 impl Frame {
-    /// Begins a function over numbers of type `T`. The stack slots of the function lie above the
-    /// stack pointer.
-    ///
-    /// # Panics
-    /// If results become states, and a state that the program reads has no result.
+    /// Begins a function over numbers of type `T`, with stack slots above the stack pointer. Panics
+    /// if results become states, and a state that the program reads has no result.
     fn open<T: Float>(
         program: &Program,
         shape: Shape,

@@ -37,7 +37,6 @@ impl<T: Float> Orbit<T> {
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         let [states, constants, steps, last_state, _] = GeneralRegister::ARGUMENTS;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
-        // Carried states are read from one array, and written to another array or back.
         let last = |assembler: &mut Assembler, place| match place {
             ValueLocation::State(i) => assembler.form().entry(last_state, i),
             _ => unreachable!("only states are written at the end"),
@@ -52,7 +51,7 @@ impl<T: Float> Orbit<T> {
         let (bytes, extent) = frame.close();
         // SAFETY: for each result and each constant of the program, the code reads one register.
         // The code writes only the results, to the last state if these are carried. Only
-        // `Code::orbit` enters the code; for carried states `Code::orbit_step` enters it, too.
+        // `Code::orbit` and, for carried states, `Code::orbit_step` enter the code.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends })
     }
@@ -91,8 +90,7 @@ impl<T: Float> ComposedOrbit<T> {
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        // The routine has only four arguments; the fifth register holds the address of the next
-        // table entry.
+        // The fifth register holds the address of the next table entry.
         let [states, table, stages, steps, entry] = GeneralRegister::ARGUMENTS;
         let [constants, left, _] = GeneralRegister::SPARE;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
@@ -125,8 +123,7 @@ impl<T: Float> ComposedOrbit<T> {
     }
 }
 
-/// Returns where states live between rounds. States live in registers if there are enough
-/// registers.
+/// Returns where states live between rounds, in registers if there are enough.
 fn ends(program: &Program, shape: Shape) -> ResultDestination {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
     if program.outputs.len() <= room { ResultDestination::Carried } else { ResultDestination::InPlace }

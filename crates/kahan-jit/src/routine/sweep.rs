@@ -74,7 +74,7 @@ impl<T: Float> Sweep<T> {
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
 
-    /// Returns the number of trajectories per register. Lengths of columns must be multiples of it.
+    /// Returns the number of trajectories per register, which must divide the length of columns.
     #[must_use]
     pub fn width(&self) -> usize {
         self.code.extent().width

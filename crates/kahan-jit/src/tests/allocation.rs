@@ -89,7 +89,6 @@ impl Machine {
     }
 }
 
-/// Interprets the allocated code of a program, and returns the results after `rounds` rounds.
 fn allocated(
     program: &Program,
     (registers, plan): (u8, RoundPlan),

@@ -14,7 +14,6 @@ use super::starts_itself;
 const SHAPE: Shape =
     Shape { instructions: InstructionSet::least(false), lanes: LaneCount::One, fuses: false };
 
-/// Returns whether the processor lacks the instruction set of these tests.
 fn is_unavailable() -> bool {
     let is_unavailable = !SHAPE.instructions.is_available();
     if is_unavailable {
@@ -74,7 +73,6 @@ fn programs_that_read_what_was_not_computed_are_refused() {
         (Instruction::MultiplyAdd(x, x, Node(usize::MAX)), x),
         (Instruction::Call(CalledFunction::Maximum, x, Node(1)), x),
         (Instruction::Call(CalledFunction::RoundToSingle, Node(1), Node(1)), x),
-        // A function of one argument gets its operand twice.
         (Instruction::Call(CalledFunction::Copy, x, Node(1)), Node(1)),
         (Instruction::Call(CalledFunction::RoundToSingle, x, Node(usize::MAX)), Node(1)),
         (Instruction::Negate(x), Node(2)),
@@ -150,8 +148,7 @@ fn more_numbers_at_once_than_the_stack_holds_are_refused() {
     }
 }
 
-/// Runs this test again in a process that must die. The code touches the pages of the stack in
-/// order, stops at the first inaccessible page, and writes nothing below the stack.
+/// Runs this test again in a process that must die at the first inaccessible page of the stack.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_stack_that_is_too_small_stops_the_process() {

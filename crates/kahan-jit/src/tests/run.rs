@@ -13,7 +13,6 @@ pub(crate) fn run<T: Float>(program: &Program, states: &[T], constants: &[T], fu
     run_by(program, |i| states[i], |k| constants[k], fuses)
 }
 
-/// Runs a program. Functions of the index give the states and the constants.
 pub(crate) fn run_by<T: Float>(
     program: &Program,
     state: impl Fn(usize) -> T,
@@ -61,8 +60,7 @@ pub(crate) fn read(program: &Program) -> [usize; 2] {
     [states, constants]
 }
 
-/// Returns a − b·c, rounded once. Under Valgrind the result is −(b·c − a); its zeros differ in
-/// sign.
+/// Returns a − b·c, rounded once. Under Valgrind the sign of a zero differs.
 pub(crate) fn subtract_product<T: Float>(a: T, b: T, c: T) -> T {
     static IS_VALGRIND: LazyLock<bool> =
         LazyLock::new(|| std::env::var("LD_PRELOAD").is_ok_and(|loaded| loaded.contains("/valgrind/")));

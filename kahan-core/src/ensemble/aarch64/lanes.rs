@@ -1,6 +1,4 @@
-//! Scalars over NEON registers. Each operation is one instruction on all lanes.
-//!
-//! In: two `f64` or four `f32` of a column. Out: in each lane, the arithmetic of one float.
+//! Scalars over NEON registers, in which each operation is one instruction on all lanes.
 #![expect(unused_unsafe, reason = "the multiply-adds are functions of this module, which are safe to call")]
 
 use core::arch::aarch64::*;
@@ -75,8 +73,7 @@ mod rounded_twice {
     }
 }
 
-/// The operations a·b + c, a·b − c and c − a·b with one rounding. The first operand of `vfma` is
-/// the addend.
+/// The operations a·b + c, a·b − c and c − a·b with one rounding.
 mod rounded_once {
     multiply_adds! {
         add_f64(a, b, c: float64x2_t) vfmaq_f64(c, a, b);
@@ -109,8 +106,7 @@ choosing! {
 fn doubles(rows: Square<f64>) -> Square<f64> {
     let mut square = [[0.0; 4]; 4];
     for (r, k) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
-        // SAFETY: r and k are at most 2, and therefore each slice of a row has at least two
-        // numbers.
+        // SAFETY: r and k are at most 2; therefore each slice of a row has at least two numbers.
         unsafe {
             let (a, b) = (vld1q_f64(rows[r][k..].as_ptr()), vld1q_f64(rows[r + 1][k..].as_ptr()));
             vst1q_f64(square[k][r..].as_mut_ptr(), vtrn1q_f64(a, b));

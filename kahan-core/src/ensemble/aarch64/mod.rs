@@ -1,7 +1,7 @@
 //! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of 64-bit Arm.
 //!
-//! Every 64-bit Arm processor with the standard library has NEON; therefore nothing is detected. A
-//! float has two lane types. `Level::Baseline` rounds multiply-adds twice, `Level::Neon` once.
+//! Every such processor with the standard library has NEON. A float has two lane types, because
+//! `Level::Baseline` rounds multiply-adds twice, and `Level::Neon` once.
 #![expect(unsafe_code, reason = "registers of vectors, which every 64-bit Arm has")]
 
 mod lanes;

@@ -1,15 +1,12 @@
-//! Macros that define lane types over vector registers of any processor.
-//!
-//! In: the names of a processor's intrinsics. Out: a type whose lanes compute as one float does.
-//! Each processor's module defines the macro `machine!`, which runs an intrinsic.
+//! Macros that define lane types over vector registers of any processor, from the names of its
+//! intrinsics. Each processor's module defines the macro `machine!`, which runs an intrinsic.
 
 #[cfg(test)]
 pub(super) mod tests;
 
 use super::lanes::Square;
 
-/// A vector register with the comparisons and selections that
-/// [`Lanes`](crate::ensemble::lanes::Lanes) requires.
+/// The comparisons and selections that [`Lanes`](crate::ensemble::lanes::Lanes) requires.
 pub(in crate::ensemble) trait SelectLanes: Copy {
     type Float;
     type Mask: Copy;

@@ -90,7 +90,6 @@ pub(in crate::ensemble) fn left_out(level: Level) -> bool {
     !level.is_available()
 }
 
-/// Compares all operations on three groups of operands, in lanes and on single floats.
 pub(in crate::ensemble) fn compare<L, T>(
     operands: &[Group<T>; 3],
     expected: impl Fn(T, T, T) -> [T; OPERATIONS],

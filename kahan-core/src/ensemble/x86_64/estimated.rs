@@ -1,9 +1,7 @@
-//! AVX-512 lanes whose divisions start from a 14-bit estimate of 1/x, which Newton's iteration
-//! refines.
+//! AVX-512 lanes whose divisions start from a 14-bit estimate of 1/x.
 //!
-//! A division would delay all other operations of a step. An iteration r + r·(1 − x·r) improves a
-//! reciprocal r by two multiply-adds, which double its correct bits. There are two iterations for
-//! `f64` and one for `f32`.
+//! A division would delay all other operations of a step. Newton's iteration r + r·(1 − x·r)
+//! doubles the correct bits of a reciprocal r by two multiply-adds.
 
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -32,8 +30,7 @@ fn estimated_f32(a: F32x16Estimated, b: F32x16Estimated) -> F32x16Estimated {
     a * improved(b, F32x16Estimated(machine!(_mm512_rcp14_ps(b.0))))
 }
 
-/// Returns r + r·(1 − x·r) for a reciprocal r of x, one iteration of Newton. A relative error δ of
-/// r becomes δ².
+/// Returns r + r·(1 − x·r) for a reciprocal r of x. A relative error δ of r becomes δ².
 #[inline(always)]
 fn improved<L: Scalar + Copy>(x: L, reciprocal: L) -> L {
     let error = L::one().subtract_product(x, reciprocal);

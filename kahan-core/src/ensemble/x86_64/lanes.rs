@@ -1,8 +1,7 @@
-//! Scalars over x86-64 vector registers. Each operation is one instruction on all lanes.
+//! Scalars over x86-64 vector registers, in which each operation is one instruction on all lanes.
 //!
-//! In: two to sixteen floats of a column. Out: in each lane, the arithmetic of one float. AVX2 and
-//! AVX-512 fuse multiply-adds. SSE2 fuses only if scalar code of the build does, and the bits of
-//! both are equal. `==` compares all lanes together; steps do not use `==`.
+//! AVX2 and AVX-512 fuse multiply-adds. SSE2 fuses only if scalar code of the build does. `==`
+//! compares all lanes together.
 #![allow(
     unused_unsafe,
     reason = "where the whole program is compiled for the instructions, calling them is safe"
@@ -85,8 +84,7 @@ lanes_of_avx512!(F64x8(__m512d), quotient divided);
 
 lanes_of_avx512!(F32x16(__m512), quotient divided);
 
-/// Multiply-adds of SSE2 registers. The multiply-adds are fused if those of scalar floats are fused
-/// in this build.
+/// Multiply-adds of SSE2 registers, fused if those of scalar floats are fused in this build.
 mod of_the_build {
     use core::arch::x86_64::*;
 

@@ -1,9 +1,9 @@
 //! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of x86-64.
 //!
-//! The lane types are private; therefore this module justifies their `unsafe`. SSE2 lanes are valid
-//! on every x86-64 processor. Other lanes exist only inside [`avx2`], [`avx512`], [`work_on_avx2`]
-//! and [`work_on_avx512`]. These functions are compiled for their instructions, and run after a
-//! check of the processor. There, steps and other work get the lane types as type arguments.
+//! SSE2 lanes are valid on every x86-64 processor. Other lanes exist only inside [`avx2`],
+//! [`avx512`], [`work_on_avx2`] and [`work_on_avx512`]. These functions are compiled for their
+//! instructions, and run after a check of the processor. The lane types are private, which
+//! justifies the `unsafe` of this module.
 #![expect(unsafe_code, reason = "registers of vectors, entered after the processor was asked for them")]
 
 mod estimated;
@@ -77,7 +77,6 @@ macro_rules! dispatch_for_float {
 dispatch_for_float!(f32, NEGLIGIBLE_F32: F32x4, F32x8, F32x16, F32x16Estimated);
 dispatch_for_float!(f64, NEGLIGIBLE_F64: F64x2, F64x4, F64x8, F64x8Estimated);
 
-/// Defines a function with the given attributes, which advances columns over registers R.
 macro_rules! over_registers {
     ($(#[$attribute:meta])* $name:ident: |$map:ident, $columns:ident, $steps:ident| $body:expr) => {
         $(#[$attribute])*
@@ -120,7 +119,7 @@ where
     if W::IS_SMALL { work.run::<RegisterPair<L>>() } else { work.run::<L>() }
 }
 
-/// No [`RegisterPair`] is needed, because one AVX-512 register has the lanes of two AVX2 registers.
+/// One AVX-512 register has the lanes of a [`RegisterPair`].
 #[target_feature(enable = "avx512f")]
 fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
     work.run::<L>()

@@ -1,6 +1,4 @@
 //! Compares each lane of every lane type with a float, and the estimated reciprocal with division.
-//!
-//! Instruction sets that the processor lacks are skipped with a message.
 
 use crate::ensemble::Level;
 use crate::ensemble::columns::{GROUP, Group};
@@ -33,8 +31,7 @@ fn numbers_fill_all_lanes() {
 
 macro_rules! estimates_are_near_quotients {
     ($name:ident, $lanes:ty, $float:ty, $operands:ident, $share:literal) => {
-        /// The operands have every exponent whose reciprocal is finite, including subnormal
-        /// numbers.
+        /// The operands have every exponent whose reciprocal is finite.
         #[test]
         #[cfg_attr(miri, ignore = "Miri knows no estimate")]
         fn $name() {
@@ -54,7 +51,6 @@ macro_rules! estimates_are_near_quotients {
             }
             let share = f64::from(off) / (groups * GROUP) as f64;
             assert!(share < $share, "{off} of {} are not rounded correctly", groups * GROUP);
-            // If the estimate never differed from a division, it would be a division.
             assert!(off > 0);
         }
     };

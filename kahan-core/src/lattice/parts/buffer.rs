@@ -15,7 +15,7 @@ pub(super) struct Buffer<T> {
 impl<T: Scalar> Buffer<T> {
     pub(super) fn new(len: usize) -> Self {
         let most = LINE / size_of::<T>().max(1);
-        // The vector never grows, and therefore its address and the alignment stay fixed.
+        // The vector never grows; therefore the alignment persists.
         let entries = vec![T::zero(); len + most];
         // If no aligned index can be reached, loads are slower.
         let start = Some(entries.as_ptr().align_offset(LINE)).filter(|&start| start <= most).unwrap_or(0);

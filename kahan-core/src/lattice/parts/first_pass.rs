@@ -1,9 +1,9 @@
 //! The first pass, which eliminates the interiors of parts and leaves the Schur complements of the
 //! separators.
 //!
-//! In: the states of some groups, with one part per lane. Out: for each part its largest multiplier
-//! and 2S rows of 2S + 1 numbers, where S = R·B is the number of unknowns of a separator. The rows
-//! of the right separator come first.
+//! Each lane holds one part. The result for a part is its largest multiplier and 2S rows of 2S + 1
+//! numbers, where S = R·B is the number of unknowns of a separator. The rows of the right separator
+//! come first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -49,9 +49,8 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let FirstPass { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The final system has a column for each of the last `LOWER` unknowns of the interior. The
-        // columns of the s unknowns of the right separator follow, then those of the left
-        // separator. The last column is the right-hand side.
+        // The columns belong to the last `LOWER` unknowns of the interior, the s unknowns of the
+        // right separator, the s unknowns of the left separator, and the right-hand side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(separators::size(s));
@@ -101,8 +100,6 @@ impl<
                 }
             }
             for r in 0..R {
-                // Only the couplings to this interior are used. The other entries belong to the
-                // next part.
                 let SiteLine { a, .. } = map.line::<L, B, P, C, SITES>(&mut sites);
                 for b in 0..B {
                     for k in 0..R - r {
@@ -131,7 +128,6 @@ impl<
 
 struct InteriorElimination<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
-    /// The rows of the left separator's unknowns.
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
     /// The largest multiplier with which a row of `border` was reduced.
     worst: L,
@@ -156,8 +152,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The final dense system of the first pass, followed by the largest multipliers. The first columns
-/// of the system are eliminated. Only the first rows of the system may become pivot rows.
+/// The final dense system of the first pass, followed by the largest multipliers. Only the first
+/// rows may become pivot rows.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

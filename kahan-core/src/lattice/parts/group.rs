@@ -1,7 +1,7 @@
 //! The parts of a group, gathered from the state into SIMD lanes and scattered back.
 //!
-//! In: the positions of the parts. Out: the sites of each part in order, one register per array.
-//! The separator and R more sites on either side are included.
+//! The sites of each part are stored in order, one register per array, with the separator and R
+//! more sites on either side.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
@@ -11,7 +11,7 @@ use crate::lattice::{LatticeMap, LatticeScalar};
 /// Consecutive parts of equal length, one in each lane.
 #[derive(Clone, Copy)]
 pub(super) struct PartGroup {
-    /// The first site of the first part, which is the first site of its separator.
+    /// The first site of the separator of the first part.
     pub(super) start: usize,
     /// The number of sites of each part, including its separator.
     pub(super) length: usize,
@@ -19,8 +19,8 @@ pub(super) struct PartGroup {
 }
 
 impl PartGroup {
-    /// Gathers the states and parameters of all sites that the rows of both separators use. These
-    /// sites range from R sites before the left separator to R sites after the right separator.
+    /// Gathers the states and parameters from R sites before the left separator to R sites after
+    /// the right separator.
     pub(super) fn gather<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
         self,
         map: &M,
@@ -54,8 +54,8 @@ impl PartGroup {
         }
     }
 
-    /// Gathers the numbers of the R sites before each part and of the 2R sites after it. There are
-    /// `block` numbers per site, and `stride` registers between two sites.
+    /// Gathers the numbers of the R sites before each part and of the 2R sites after it. A site has
+    /// `block` numbers, and sites are `stride` registers apart.
     fn gather_edges<M, T>(
         self,
         map: &M,
@@ -82,9 +82,8 @@ impl PartGroup {
         }
     }
 
-    /// Gathers the first `sites` sites of each part, which do not wrap around. `chain` starts with
-    /// the first part. Each number of a site goes to a register, and sites are `stride` registers
-    /// apart.
+    /// Gathers the first `sites` sites of each part, in registers that are `stride` apart per site.
+    /// `chain` starts with the first part.
     pub(super) fn gather_inner<T: InLanes>(
         self,
         chain: &[T],

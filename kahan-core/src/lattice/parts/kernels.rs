@@ -1,5 +1,4 @@
-//! The kernels of both passes, which the sizes of a family select, and their division among
-//! threads.
+//! The kernels of both passes for the sizes of a family, and the division of groups among threads.
 //!
 //! Groups are independent, and therefore the number of threads changes no bits.
 
@@ -54,7 +53,7 @@ pub(in crate::lattice) enum Pass<'a, M, T> {
     Second(SecondPass<'a, M, T>),
 }
 
-/// The kernels for chains of certain sizes: those of one stencil, or those of a menu of stencils.
+/// The kernels for one stencil, or for a menu of stencils.
 pub(in crate::lattice) trait Kernels {
     fn supports(sizes: Sizes) -> bool;
 
@@ -89,8 +88,7 @@ impl<
     }
 }
 
-/// Splits the parts of groups into batches of `width` parts. Yields each batch with the index of
-/// its first part.
+/// Splits the parts of groups into batches of `width` parts, with the index of the first part.
 #[inline(always)]
 pub(super) fn batches(
     partition: &Partition,

@@ -1,4 +1,4 @@
-//! The equations of sites in SIMD lanes, and the matrix rows that kernels make of these.
+//! The equations of sites in SIMD lanes, and the matrix rows that kernels make of the equations.
 
 use core::array::from_fn;
 use core::ops::Range;
@@ -19,7 +19,7 @@ pub struct SiteLine<L, const B: usize, const SITES: usize> {
     pub a: [[[L; B]; SITES]; B],
 }
 
-/// Sites gathered in SIMD lanes, one register per number. Kernels request their equations in order.
+/// Sites gathered in SIMD lanes, one register per number. Kernels request the equations in order.
 #[derive(Debug)]
 pub struct Gathered<'a, T, L, const C: usize> {
     /// The prepared constants of the equations.
@@ -34,9 +34,9 @@ pub struct Gathered<'a, T, L, const C: usize> {
     pub registers: &'a mut [T],
     /// The instruction set of the registers.
     pub level: Level,
-    /// The index of the site whose equations come next, among the gathered sites.
+    /// The index of the next site among the gathered sites.
     pub site: usize,
-    /// The sites whose equations are already computed. Only families read at run time use this.
+    /// The sites whose equations are already computed, for families read at run time.
     pub computed: Range<usize>,
 }
 
@@ -73,7 +73,6 @@ impl<
         row.right = line.f[b];
         let entries = line.a[b].as_flattened();
         for k in 0..WIDTH {
-            // The first and the last rows of a site have fewer entries on one side.
             if R * B + b + k >= LOWER && R * B + b + k - LOWER < SITES * B {
                 row.band[k] = entries[R * B + b + k - LOWER];
             }
@@ -91,7 +90,7 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // Entries of the separator must not be eliminated by the identity rows.
+                // Rows of the identity must not eliminate entries of the separator.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();
@@ -101,8 +100,7 @@ impl<
         row
     }
 
-    /// Returns a row of site r of the left separator, without the entries that belong to the
-    /// previous part.
+    /// Returns a row of site r of the left separator, without the entries of the previous part.
     #[inline(always)]
     pub(super) fn row_of_left<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,

@@ -1,9 +1,8 @@
 //! Steps of a long chain in parts, which are eliminated in SIMD lanes.
 //!
-//! In: a state. Out: the next state in place, or a refusal. The first pass eliminates the interiors
-//! of the parts, and reduces the rows of the separators between parts to a small banded system. The
-//! second pass computes the interiors from the solution of this system. A step is refused if an
-//! entry far exceeds a pivot, because digits would be lost.
+//! The first pass eliminates the interiors of the parts, and reduces the rows of the separators
+//! between parts to a small banded system. The second pass computes the interiors from the solution
+//! of this system. A step is refused if an entry far exceeds a pivot, because digits would be lost.
 
 mod buffer;
 mod first_pass;
@@ -54,8 +53,8 @@ pub(in crate::lattice) trait PartSolver<T>: Sized + Send + Sync + 'static {
     /// Allocates a workspace. Returns `None` for scalars without lanes.
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
-    /// Takes one step. Small pivots and numbers that are not finite are refused, and leave the
-    /// state unchanged.
+    /// Takes one step. If a pivot is too small or a number is not finite, returns `false` and
+    /// leaves the state unchanged.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
         M: LatticeMap<T>,

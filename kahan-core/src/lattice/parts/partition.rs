@@ -1,10 +1,10 @@
 //! The division of a chain into parts, which affects the bits of a step.
 //!
-//! In: the number of sites, the reach R, the number of lanes. Out: parts, each a separator of R
-//! sites followed by an interior, in groups of one part per lane. All parts of a group have equal
-//! lengths. At least R sites remain at the end and close the chain.
+//! A part is a separator of R sites followed by an interior, where R is the reach. Groups have one
+//! part per lane, and all parts of a group have equal lengths. At least R sites remain at the end
+//! and close the chain.
 
-/// The intended length of a part, long compared with its separator and short enough for a cache.
+/// The intended length of a part, much longer than its separator and short enough for a cache.
 const LENGTH: usize = 256;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ impl Partition {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
 
-    /// Divides a chain into parts of about `about` sites. Returns `None` if `about` is less than
+    /// Divides a chain into parts of about `about` sites. Returns `None` for parts shorter than
     /// `least`.
     pub(in crate::lattice) fn with_length(
         sites: usize,
@@ -53,8 +53,7 @@ impl Partition {
         self.groups * self.lanes
     }
 
-    /// Returns the first site of a group. For the index after the last group, returns the first
-    /// remaining site.
+    /// Returns the first site of a group. After the last group, this is the first remaining site.
     pub(super) fn start(&self, group: usize) -> usize {
         self.lanes * (group * self.length + group.min(self.longer))
     }
@@ -72,14 +71,13 @@ impl Partition {
         self.sites - self.start(self.groups)
     }
 
-    /// Returns the number of sites in the reduced system, which contains all separators and the
-    /// remaining sites.
+    /// Returns the number of sites in all separators and at the end of the chain.
     pub(super) fn kept(&self) -> usize {
         self.parts() * self.reach + self.left_over()
     }
 
-    /// Iterates over the runs of consecutive sites in the reduced system. Yields the index of each
-    /// run there, its first site and its number of sites.
+    /// Iterates over the runs of consecutive sites in the reduced system. Yields a run's index in
+    /// the system, its first site and its number of sites.
     pub(super) fn kept_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
         let partition = *self;
         let separators = (0..partition.parts()).map(move |part| {

@@ -15,7 +15,7 @@ pub(in crate::lattice) struct Scratch<T> {
     pub(super) registers: Buffer<T>,
     /// The final dense system of the first pass, and its largest multiplier.
     pub(super) dense: Buffer<T>,
-    /// The finished rows with their right-hand sides. The first rows are rows of the identity.
+    /// The finished rows with their right-hand sides, after rows of the identity.
     pub(super) done: Buffer<T>,
     /// The solution at the separators to the left and to the right of the part.
     pub(super) known: Buffer<T>,

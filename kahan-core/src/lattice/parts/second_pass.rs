@@ -1,7 +1,7 @@
 //! The second pass, which steps the interiors after the separators are solved.
 //!
-//! In: the states x of some groups, and the solution w at their separators. Out: x + 2ε w in place
-//! of x. The elimination is repeated, because storing its rows would move more memory.
+//! The states x become x + 2ε·w, where w is the solution. The elimination is repeated, because
+//! storing its rows would move more memory.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::array::from_fn;
@@ -27,7 +27,7 @@ pub(in crate::lattice) struct SecondPass<'a, M, T> {
     pub(super) sites: usize,
     pub(super) groups: Range<usize>,
     pub(super) scratch: &'a mut Scratch<T>,
-    /// The states, beginning with the first site of the first group.
+    /// The states from the first site of the first group on.
     pub(super) state: &'a mut [T],
 }
 
@@ -100,8 +100,7 @@ impl<
                 sweep.take(WindowRow::zero());
             }
 
-            // The solution after the current unknown, which at first is that of the right
-            // separator.
+            // The solution to the right of the current unknown, at first in the right separator.
             let mut after = [L::zero(); WIDTH];
             for k in 0..WIDTH {
                 if k < s {
@@ -135,7 +134,6 @@ struct InteriorElimination<'a, L, T, const B: usize, const LOWER: usize, const W
 impl<L: Lanes<T>, T, const B: usize, const LOWER: usize, const WIDTH: usize>
     InteriorElimination<'_, L, T, B, LOWER, WIDTH>
 {
-    /// Appends a row, eliminates a column, and stores the row of the pivot.
     #[inline(always)]
     fn take(&mut self, row: WindowRow<L, B, 0, WIDTH>) {
         let pivot = self.window.push(row);

@@ -1,6 +1,4 @@
-//! The reduced banded system, whose unknowns lie at the separators and at the remaining sites.
-//!
-//! In: the results of the first pass. Out: the solution at the separators and the remaining sites.
+//! The reduced banded system for the solution at the separators and at the remaining sites.
 
 use core::ops::Range;
 
@@ -11,11 +9,10 @@ use crate::{Constant, Scalar};
 
 use super::partition::Partition;
 
-/// The largest ratio of a separator's entry to its pivot. The ratio 2¹⁰ costs three of sixteen
-/// digits.
+/// The largest ratio of a separator's entry to its pivot, which costs three of sixteen digits.
 const GROWTH: i64 = 1 << 10;
 
-/// Returns how many numbers are stored per part if a separator has this many unknowns.
+/// Returns the number of numbers stored per part, for a separator of this many unknowns.
 pub(super) fn size(separator: usize) -> usize {
     2 * separator * (2 * separator + 1) + 1
 }
@@ -42,14 +39,13 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
     let (left_over_from, place_from) = ((sites - left_over) * block, partition.parts() * separator);
     let gained = reduced.solve(|unknown, row| {
         let (before, k) = (unknown / separator, unknown % separator);
-        // Adds the contributions of the parts to the left and to the right of a separator.
         if (1..=partition.parts()).contains(&before) {
             add(row, joint(before - 1), k, before, separator);
         }
         if before < partition.parts() {
             add(row, joint(before), separator + k, before + 1, separator);
         }
-        // Adds couplings among the remaining sites, and between these and the first separator.
+        // Adds couplings among the remaining sites, and to the first separator.
         let add_direct = |row: &mut BandRow<'_, T>, site: &Site<T>, b, columns: Range<usize>, to: usize| {
             for (column, entry) in site.entries(map, sites, b) {
                 if columns.contains(&column) {

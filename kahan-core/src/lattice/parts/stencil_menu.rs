@@ -1,7 +1,4 @@
-//! The kernels of families read at run time.
-//!
-//! In: the sizes of a family. Out: both passes for the first stencil that is large enough. Missing
-//! entries become zeros, which change no bits while numbers are finite.
+//! The kernels of families read at run time. Missing entries of a stencil become zeros.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
@@ -15,12 +12,11 @@ use super::second_pass::SecondPass;
 #[derive(Clone, Copy, Debug)]
 pub enum StencilMenu {}
 
-/// Declares stencils. Each is given by its arrays, reach, bandwidths, sites, and entries per row.
+/// Declares stencils by the arrays, reach, bandwidths, sites, and entries per row.
 macro_rules! menu {
     ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
         impl StencilMenu {
-            /// Returns the sizes, with the bandwidths of the first stencil that suffices. If no
-            /// stencil suffices, the sizes are unchanged.
+            /// Returns the sizes with the bandwidths of the first sufficient stencil, or unchanged.
             pub fn widened(sizes: Sizes) -> Sizes {
                 let Sizes { block, reach, lower, upper, .. } = sizes;
                 $(if (block, reach) == ($block, $reach) && lower <= $lower && upper <= $upper {

@@ -1,7 +1,7 @@
 //! Elimination with partial pivoting in registers, in a window of rows that moves along a band.
 //!
-//! In: the rows of a band, one at a time. Out: each finished row, which starts with its reciprocal
-//! pivot. Loops have constant lengths; therefore they are unrolled and numbers stay in registers.
+//! Each finished row starts with its reciprocal pivot. Loops have constant lengths; therefore they
+//! are unrolled and numbers stay in registers.
 
 use crate::Scalar;
 use crate::ensemble::lanes::Lanes;
@@ -21,7 +21,6 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
     }
 
     /// Exchanges this row with `other` in the lanes where the first entry of `other` is larger.
-    /// Usually no lane exchanges, and testing all lanes at once is cheaper than a selection.
     #[inline(always)]
     fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where
@@ -48,8 +47,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         WindowRow { band: self.band, left: [], right }
     }
 
-    /// Writes the row to `numbers` from `place` on, with only the first `columns` entries of the
-    /// band.
+    /// Writes the row to `numbers` from `place` on, with the first `columns` entries of the band.
     #[inline(always)]
     pub(super) fn write<T>(&self, numbers: &mut [T], place: usize, columns: usize)
     where
@@ -97,8 +95,7 @@ pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
     Window<L, B, R, LOWER, WIDTH>
 {
-    /// Returns the initial window, whose rows are rows of the identity for columns before the
-    /// first.
+    /// Returns a window of identity rows, for columns before the first.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let mut rows = [WindowRow::zero(); LOWER];
@@ -108,8 +105,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
         Self { rows }
     }
 
-    /// Appends a row and eliminates the current column. Returns the pivot's row with the reciprocal
-    /// pivot.
+    /// Appends a row and eliminates a column. Returns the pivot row with the reciprocal pivot.
     #[inline(always)]
     pub(super) fn push<T>(&mut self, row: WindowRow<L, B, R, WIDTH>) -> WindowRow<L, B, R, WIDTH>
     where

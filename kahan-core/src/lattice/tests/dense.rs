@@ -1,5 +1,4 @@
-//! Compares steps of chains with elimination of the dense matrix with partial pivoting. Couplings,
-//! numbers of sites, ε and states are random; some pivots vanish without row exchanges.
+//! Compares random steps of chains with elimination of the dense matrix with partial pivoting.
 
 use std::ops::Range;
 use std::vec::Vec;
@@ -14,8 +13,8 @@ use super::families::{Kdv, Tangled, Toda, Volterra};
 use super::parts::in_short_parts;
 use super::random;
 
-/// Returns A(x,ε) = I − εf′(x), column by column. f′(x) e = ½(f(x + e) − f(x − e)) is exact,
-/// because f is quadratic.
+/// Returns A(x,ε) = I − εf′(x). Each column f′(x) e = ½(f(x + e) − f(x − e)) is exact, because f is
+/// quadratic.
 fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DMatrix<f64> {
     let mut a = DMatrix::identity(x.len(), x.len());
     for j in 0..x.len() {
@@ -39,8 +38,7 @@ struct Tally {
     whole: u64,
 }
 
-/// Compares a random step, in short parts and in one elimination, with the solution of the dense
-/// system.
+/// Compares a random step, in short parts and in one elimination, with the dense solution.
 fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally: &mut Tally) {
     let len = sites * M::BLOCK;
     // Some states are 0 or ±1/ε, which makes entries of A vanish.
@@ -75,8 +73,7 @@ fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally:
         let mut next = x.clone();
         at.step(&mut next);
         for ((next, x), gained) in next.iter().zip(&x).zip(&gained) {
-            // The factor 4096 covers the backward errors of the eliminations. Multipliers in parts
-            // are at most 2¹⁰.
+            // The factor 4096 covers the backward errors of the eliminations.
             let bound = 4096.0 * f64::EPSILON * condition * largest;
             let error = (next - (x + gained)).abs();
             assert!(error <= bound, "{sites} sites, eps = {eps}, seed {seed}: {error:e} beyond {bound:e}");
@@ -113,7 +110,6 @@ fn chains_step_as_dense_matrices_do() {
     at_random(10, 1..200, kdv::<true>);
 }
 
-/// The family has three arrays and offsets up to five. A random half of the couplings is missing.
 #[test]
 fn random_couplings_step_as_dense_matrices_do() {
     fn tangled<const OPEN: bool>(_sites: usize, bits: u64) -> Tangled<f64, OPEN> {

@@ -19,8 +19,7 @@ fn state(len: usize) -> Vec<Q> {
     (0..len as i64).map(|i| q(3 + (7 * i * i + 5 * i) % 11, 2 + (3 * i) % 5)).collect()
 }
 
-/// Tests (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃) for a step from x to x̃, and the inverse
-/// step.
+/// Tests (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃) for a step from x to x̃, and its inverse.
 fn satisfies_kahans_equation<M: LatticeMap<Q>>(fewest: usize, most: usize, map: impl Fn(usize) -> M) {
     for sites in fewest..=most {
         let eps = q(2, 17);
@@ -56,7 +55,7 @@ fn tangled<const OPEN: bool>(_sites: usize) -> Tangled<Q, OPEN> {
 fn steps_satisfy_kahans_equation_at_every_length() {
     satisfies_kahans_equation(1, 12, |_| Toda::<true>);
     satisfies_kahans_equation(2, 12, |_| Toda::<false>);
-    // Rings of one or two sites, and a single site with open ends, have f = 0.
+    // Shorter chains have f = 0.
     satisfies_kahans_equation(2, 12, |_| Volterra::<true>);
     satisfies_kahans_equation(3, 12, |_| Volterra::<false>);
     satisfies_kahans_equation(2, 12, kdv::<true>);
@@ -114,7 +113,7 @@ fn promised_steps_keep_their_promise() {
     }
 }
 
-/// The tail of a soliton has numbers whose products underflow.
+/// In the tail of a soliton, products underflow.
 #[test]
 fn promises_hold_for_the_smallest_numbers() {
     let x: Vec<f64> = (0..40).map(|i| 0.5_f64.powi(26 * i)).collect();
@@ -140,7 +139,7 @@ fn promises_hold_for_the_largest_numbers() {
     }
 }
 
-/// A bound that is NaN in one row persists, even if the next row has a good bound.
+/// If the bound of one row is NaN, the step fails even if the next row has a good bound.
 #[test]
 fn one_site_that_is_no_number_refuses_the_step() {
     for site in 0..5 {
@@ -163,7 +162,7 @@ fn a_ring_of_one_or_two_volterra_sites_stands_still() {
 
 #[test]
 fn a_pole_is_an_error_and_leaves_the_state() {
-    // One open Toda site has ȧ = −ab, ḃ = 2a². Hence det A = 1 + εb + 4ε²a², which is 0 here.
+    // One open Toda site has ȧ = −ab, ḃ = 2a². Hence det A = 1 + εb + 4ε²a² = 0 at this point.
     let mut x = [q(0, 1), q(-3, 1)];
     let mut at = Toda::<true>.at(q(1, 3), 1).expect("a site");
     assert!(at.try_step(&mut x).is_err());

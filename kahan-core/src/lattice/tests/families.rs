@@ -82,11 +82,11 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Toda<OPEN> {
     }
 }
 
-/// The equation u_t = −6 u u_x − u_xxx, discretised by central differences of step h. Each site has
-/// its own dispersion coefficient.
+/// The equation u_t = −6 u u_x − u_xxx in central differences of step h, with a dispersion
+/// coefficient for each site.
 #[derive(Clone, Debug)]
 pub(super) struct Kdv<T, const OPEN: bool> {
-    /// The reciprocal 1/h of the difference step.
+    /// 1/h for the difference step h.
     pub(super) inverse: T,
     pub(super) dispersion: Vec<T>,
 }
@@ -135,8 +135,7 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
     }
 }
 
-/// A field without structure: it has three arrays, offsets up to five, and eight products per
-/// derivative.
+/// A field with three arrays, offsets up to five, and eight products per derivative.
 #[derive(Clone, Debug)]
 pub(super) struct Tangled<T, const OPEN: bool>(pub(super) [T; 8]);
 

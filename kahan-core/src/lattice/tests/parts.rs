@@ -1,5 +1,4 @@
-//! Tests that steps in parts agree with one elimination, for any number of sites, lanes and
-//! threads.
+//! Tests that steps in parts agree with one elimination.
 
 use std::vec::Vec;
 
@@ -10,7 +9,6 @@ use crate::{LatticeMap, LatticeScalar};
 
 use super::families::{Kdv, Tangled, Toda, Volterra};
 
-/// Returns a wave with values between ½ and 3/2.
 fn state(len: usize) -> Vec<f64> {
     (0..len).map(|i| 1.0 + 0.5 * (0.37 * i as f64).sin()).collect()
 }
@@ -41,8 +39,7 @@ fn levels() -> impl Iterator<Item = Level> {
         .filter(|level| level.is_available())
 }
 
-/// Compares steps in parts with one elimination. The distance in the maximum norm is counted in
-/// rounding units. A is diagonally dominant, and both results are within a few roundings of x̃.
+/// Compares steps in parts with one elimination, in the maximum norm.
 fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item = usize>, eps: f64) {
     for sites in sites {
         let x = state(sites * M::BLOCK);
@@ -95,8 +92,7 @@ fn long_chains_are_cut_into_parts() {
     }
 }
 
-/// If site i is the first of an interior, column i of A has its only entry in the separator's row.
-/// The interior is then exactly singular, although A is not singular.
+/// The interior that begins with site i is singular, although A is not.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (200, 0.125);

@@ -1,5 +1,4 @@
-//! The number formats of bounded values, and the range in which each format allows products and
-//! quotients.
+//! The number formats of bounded values, with the range of products and quotients in each format.
 
 use crate::Dd;
 use crate::scalar::tuning::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
@@ -7,14 +6,13 @@ use crate::scalar::{Size, Wide};
 
 use super::number::{Number, Range};
 
-/// The binary exponent of η for each format. The largest error of an operation that underflows is
-/// η.
+/// The binary exponent of the largest error of an operation that underflows, for each format.
 const LOST_OF_SINGLES: i32 = -149;
 const LOST_OF_DOUBLES: i32 = -1074;
-// Every float operation within an operation on pairs may underflow.
+// An operation on pairs consists of several float operations, each of which may underflow.
 const LOST_OF_PAIRS: i32 = -1070;
 
-/// A narrow range. Steps with inputs outside this range are computed in `f64`.
+/// Steps with inputs outside of this narrow range are computed in `f64`.
 const SINGLE: Range = Range::of(LOST_OF_SINGLES, -40, 4, BITS_OF_SINGLE_STEPS);
 
 const ALLOWANCE_OF_DOUBLES: i32 = -150;
@@ -46,7 +44,7 @@ impl Number for f64 {
 impl Number for Dd {
     type Magnitude = f64;
     const IS_CALLED: bool = true;
-    /// 16u² for the rounding unit u of `f64`, which is at least the error bound of every operation.
+    /// A bound of 16u² for every operation on pairs, where u is the rounding unit of `f64`.
     const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
     const RANGE: Range =
         Range::of(LOST_OF_PAIRS, ALLOWANCE_OF_DOUBLES, BITS_OF_DOUBLE_DIVISORS, BITS_OF_DOUBLE_STEPS);

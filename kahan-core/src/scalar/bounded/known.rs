@@ -1,17 +1,15 @@
 //! Magnitudes and errors of computed values, and the backward error of a row of a linear system.
 //!
-//! In: the residual of a row of A·x̃ = b, the row's right-hand side, and the magnitudes of its
-//! products, all with error bounds. Out: an upper bound of |A·x̃ − b|/(|A|·|x̃| + |b|).
+//! The backward error of a row of A·x̃ = b is |A·x̃ − b|/(|A|·|x̃| + |b|). An upper bound follows
+//! from the residual A·x̃ − b, the right-hand side, and the magnitudes of the row's products.
 
 use super::{Bounded, InputLimit, Magnitude, Number};
 
-/// The magnitude and the error bound of a value v̂, which was computed in place of the exact value
-/// v.
+/// The magnitude of a computed value, and a bound of the value's error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KnownBounds<G> {
-    /// The magnitude |v̂| of the computed value v̂.
     pub(crate) size: G,
-    /// An upper bound of |v̂ − v|, where v is the exact value.
+    /// An upper bound of the difference between the computed and the exact value.
     pub(crate) error: G,
     pub(crate) largest_input: InputLimit,
 }
@@ -23,15 +21,14 @@ impl<V: Number> Bounded<V> {
 }
 
 impl<G: Magnitude> KnownBounds<G> {
-    /// Returns a lower bound of |v| that allows for rounded sums. The bound is 0 unless the error
-    /// is small.
+    /// Returns a lower bound of the exact value's magnitude. The bound is 0 if the error is large.
     pub(crate) fn at_least(&self) -> G {
         if G::of(64.0) * self.error <= self.size { G::of(62.0 / 64.0) * self.size } else { G::zero() }
     }
 }
 
 /// Returns an upper bound of the backward error of a row. `products` is a lower bound of |A|·|x̃|.
-/// The result is infinite if nothing is known, for example if inputs up to `largest` may underflow.
+/// The result is infinite if inputs up to `largest` may underflow, or if a bound is NaN.
 pub(crate) fn backward_error<G: Magnitude>(
     residual: KnownBounds<G>,
     products: G,
@@ -59,7 +56,6 @@ mod tests {
 
     #[test]
     fn a_backward_error_is_that_of_the_worst_residual_beside_the_least_right_hand_side() {
-        // The bound is (3 + 1)/(2 + 6·62/64).
         let expected = 4.0 / (2.0 + 6.0 * 62.0 / 64.0);
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.0), 1.0), expected);
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.1), 1.0), 2.0);
@@ -70,14 +66,12 @@ mod tests {
     fn nothing_is_known_where_a_premise_is_broken() {
         let fine = known(1.0, 0.0);
         assert_eq!(backward_error(fine, 1.0, fine, 1023.0), 1.0 / (1.0 + 62.0 / 64.0));
-        // Inputs of 2¹⁰ exceed the limit, in the residual or in the right-hand side.
         assert_eq!(backward_error(fine, 1.0, fine, 1024.0), f64::INFINITY);
         let refused = KnownBounds { largest_input: InputLimit::NONE, ..fine };
         assert_eq!(backward_error(refused, 1.0, fine, 0.0), f64::INFINITY);
         assert_eq!(backward_error(fine, 1.0, refused, 0.0), f64::INFINITY);
         let any = KnownBounds { largest_input: InputLimit::ANY, ..fine };
         assert!(backward_error(any, 1.0, any, 1e300).is_finite());
-        // A NaN establishes no bound.
         for not_a_number in [known(f64::NAN, 0.0), known(1.0, f64::NAN)] {
             assert_eq!(backward_error(not_a_number, 1.0, fine, 1.0), f64::INFINITY);
         }

@@ -1,15 +1,14 @@
-//! The limit on a formula's inputs up to which the error bound includes underflow.
+//! The largest input for which the error bound of a formula covers underflow.
 
 use super::number::{Magnitude, power_of_two};
 
-/// A limit on the magnitudes of inputs. The integer n allows magnitudes below 2ⁿ⁻¹, and 0 allows no
-/// input. Compilers evaluate the integer, and therefore a step contains only one comparison.
+/// A limit on the magnitudes of inputs, known at compile time. The integer n allows magnitudes
+/// below 2ⁿ⁻¹, and 0 allows no input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct InputLimit(u32);
 
 impl InputLimit {
     pub(crate) const NONE: Self = Self(0);
-    /// Allows all inputs, because no operation underflows.
     pub(crate) const ANY: Self = Self(u32::MAX);
 
     #[inline(always)]
@@ -22,8 +21,7 @@ impl InputLimit {
         Self(self.0.min(other.0))
     }
 
-    /// Returns the smallest forbidden magnitude. The magnitude is 0 if no input is allowed, and
-    /// infinite if all inputs are allowed.
+    /// Returns the smallest forbidden magnitude, which is infinite if all inputs are allowed.
     #[inline(always)]
     pub(crate) fn size(self) -> f64 {
         match self {
@@ -33,7 +31,7 @@ impl InputLimit {
         }
     }
 
-    /// Returns whether inputs up to this magnitude are allowed. The result is false for NaN.
+    /// Returns whether inputs up to this magnitude are allowed.
     #[inline(always)]
     pub(crate) fn allows<G: Magnitude>(self, largest: G) -> bool {
         G::of(self.size()) > largest

@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use crate::scalar::{Scalar, Size};
 
-/// Nonnegative numbers for error bounds, with few digits. No comparison with NaN is true.
+/// Nonnegative numbers for error bounds. Comparisons with NaN are false.
 pub(crate) trait Magnitude:
     Copy + Debug + PartialOrd + Zero + Mul<Output = Self> + Div<Output = Self> + Into<f64>
 {
@@ -38,12 +38,12 @@ impl Magnitude for Size {
 pub(crate) struct Range {
     /// An upper bound of all errors of underflow, 0 if no operation underflows.
     pub(crate) allowance: f64,
-    /// The exponent B of the upper limit 2ᴮ of products of inputs.
+    /// The upper limit of products of inputs is 2 to the power `bits_of_products`.
     pub(crate) bits_of_products: u32,
-    /// The exponent of the lower limit of divisors, which is 2 to the power −`bits_of_divisors`.
+    /// The lower limit of divisors is 2 to the power −`bits_of_divisors`.
     pub(crate) bits_of_divisors: u32,
-    /// Steps divide by ε if |ε| is at least 2 to the power −`bits_of_steps`. The number 0 forbids
-    /// division.
+    /// Steps divide by ε if |ε| is at least 2 to the power −`bits_of_steps`, and never if
+    /// `bits_of_steps` is 0.
     pub(crate) bits_of_steps: u32,
 }
 
@@ -57,8 +57,7 @@ impl Range {
     pub(crate) const UNLIMITED: Self =
         Self { allowance: 0.0, bits_of_products: u32::MAX, bits_of_divisors: 0, bits_of_steps: 0 };
 
-    /// Creates a range from the exponents of η, the largest error by underflow, and of the
-    /// allowance. Both determine the exponent B of the limit of products.
+    /// Creates a range from the binary exponents of the largest underflow and of the allowance.
     pub(crate) const fn of(eta: i32, allowance: i32, bits_of_divisors: u32, bits_of_steps: u32) -> Self {
         let bits_of_products = (allowance - eta - POWER_OF_UNDERFLOWS) as u32;
         Self { allowance: power_of_two(allowance), bits_of_products, bits_of_divisors, bits_of_steps }
@@ -77,17 +76,14 @@ pub(crate) const fn power_of_two(power: i32) -> f64 {
 
 /// A scalar whose operations round once, with a bounded relative error.
 pub(crate) trait Number: Scalar + Copy {
-    /// The type of magnitudes, with the range of this type.
     type Magnitude: Magnitude;
-    /// The rounding unit u, the largest relative error of an operation without underflow.
+    /// The largest relative error of an operation without underflow.
     const UNIT: f64;
-    /// The range in which error bounds include underflow.
     const RANGE: Range;
-    /// Whether operations with bounds are called instead of inlined. Steps over wide numbers then
-    /// stay small.
+    /// Whether operations with bounds are called instead of inlined, which keeps steps small.
     const IS_CALLED: bool = false;
 
-    /// Returns |self|, rounded as magnitudes are.
+    /// Returns |self|, rounded to a magnitude.
     fn size(&self) -> Self::Magnitude;
     /// Returns the error radius of numbers that carry one.
     #[inline(always)]

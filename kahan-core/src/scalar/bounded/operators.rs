@@ -19,8 +19,7 @@ impl<V: Number, P: BoundedPair<V>> PartialEq for Bounded<V, P> {
 }
 
 impl<V: Number, P: BoundedPair<V>> Scalar for Bounded<V, P> {
-    /// Integers that the number type and `f64` represent are exact. Other literals are rounded
-    /// once.
+    /// Integers that the number type and `f64` represent are exact. Other literals are rounded.
     #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
         let value = V::constant(c);

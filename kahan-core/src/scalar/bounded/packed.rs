@@ -1,4 +1,4 @@
-//! A float and its magnitude in one vector register. Bounds then need no further instructions.
+//! A float and its magnitude in one vector register, computed by one instruction.
 
 use core::arch::x86_64::{
     __m128, __m128d, _mm_add_pd, _mm_add_ps, _mm_cvtsd_f64, _mm_cvtss_f32, _mm_move_ss, _mm_mul_pd,
@@ -22,8 +22,7 @@ macro_rules! machine {
     };
 }
 
-/// Defines a pair in a register. The value is in the lowest lane, and the magnitude in the next
-/// lane.
+/// Defines a pair in a register. The lowest lane holds the value, the next lane its magnitude.
 macro_rules! packed {
     (
         $(#[$docs:meta])*
@@ -100,8 +99,7 @@ packed! {
 }
 
 packed! {
-    /// A pair of floats. The upper lanes repeat the magnitude, because subnormal contents would be
-    /// slow.
+    /// A pair of floats. The upper lanes repeat the magnitude, because subnormal numbers are slow.
     PackedSingle(__m128) of f32:
     new: |value, magnitude| _mm_move_ss(_mm_set1_ps(magnitude), _mm_set_ss(value)),
     value: _mm_cvtss_f32,

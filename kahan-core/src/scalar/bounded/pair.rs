@@ -1,30 +1,25 @@
-//! A value and its magnitude, which operations treat as one operand.
+//! A value with its magnitude, and operations on both at once.
 
 use core::fmt::Debug;
 
 use super::number::Number;
 
-/// A value v̂ with its magnitude m, and operations on both. The other operand has value ŵ and
-/// magnitude n.
+/// A value with its magnitude. The magnitudes of a sum or a difference are added, and those of a
+/// product are multiplied.
 pub(crate) trait BoundedPair<V: Number>: Copy + Debug + 'static {
     fn new(value: V, magnitude: V::Magnitude) -> Self;
     fn value(self) -> V;
     fn magnitude(self) -> V::Magnitude;
 
-    /// Returns the value v̂ + ŵ with the magnitude m + n.
     fn plus(self, other: Self) -> Self;
-    /// Returns the value v̂ − ŵ with the magnitude m + n.
     fn minus(self, other: Self) -> Self;
-    /// Returns the value v̂·ŵ with the magnitude m·n.
     fn times(self, other: Self) -> Self;
-    /// Returns the value −v̂ with the magnitude m.
     fn negated(self) -> Self;
 
     /// Returns self·factor + addend. The value is rounded as in `Scalar::multiply_add`.
     fn multiply_add(self, factor: Self, addend: Self) -> Self;
 }
 
-/// A pair stored as two numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnpackedPair<V: Number> {
     value: V,

@@ -1,5 +1,4 @@
-//! The rules of bounded values: each result gets a value, a magnitude, a count of roundings, a
-//! range.
+//! Arithmetic of bounded values: each result gets a value, a magnitude and a count of roundings.
 
 use num_traits::Zero;
 
@@ -51,9 +50,8 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         .settled()
     }
 
-    /// Tightens the bound of a value v̂ with an error radius r. The magnitude m = |v̂| + r/u
-    /// satisfies |v| ≤ m and |v̂ − v| ≤ γ₁·m after any cancellation, where v is the exact value and
-    /// γ₁ is the rounding unit u. If r = 0, the value is exact.
+    /// Tightens the bound of a value v̂ with an error radius r. With the rounding unit u, the new
+    /// magnitude is |v̂| + r/u. If r = 0, the value is exact.
     #[inline(always)]
     pub(super) fn settled(self) -> Self {
         let value = self.value();
@@ -109,7 +107,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Some(quotient.settled())
     }
 
-    /// Returns c/ε for a literal c and an ε that is an [ordinary input](Self::is_ordinary_input).
+    /// Returns c/ε for a literal c and an [ordinary input](Self::is_ordinary_input) ε.
     #[inline(always)]
     pub(crate) fn over_input(self, eps: Self) -> Self {
         let value = self.value() / eps.value();
@@ -122,7 +120,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         }
     }
 
-    /// Returns an approximation of 1/|v̂|, or `None` if it would need a division at run time.
+    /// Returns an approximation of 1/|value|, or `None` if a division at run time would be needed.
     #[inline(always)]
     fn inverse(&self) -> Option<V::Magnitude> {
         let is_whole_constant = self.inputs == 0 && self.roundings == 0;

@@ -1,19 +1,17 @@
 //! Double-double operations, each with its error bound in terms of u = 2⁻⁵³.
 //!
-//! Operands and results are normalised. Everything is inlined; therefore a step becomes one
-//! straight-line program. Operands that may overflow or lose bits go to `extremes`. Ordinary
-//! computations never take that branch, which adds no latency.
+//! Operands and results are normalised. Operations that may overflow or lose bits are left to
+//! `extremes`.
 
 use crate::scalar::bounded::power_of_two;
 
 use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
 use super::{Dd, extremes, moderate};
 
-/// An upper bound on leading sums and products. Below this bound all later additions stay finite.
+/// Sums and products below this bound cause no overflow in later additions.
 const ROOM: f64 = power_of_two(1022);
 
-/// The lower bound of operands whose quotients lose no bits. Such quotients lie between 2⁻⁹⁰⁰ and
-/// 2⁹⁰⁰.
+/// Quotients of operands between `SMALL` and `LARGE` lose no bits.
 const SMALL: f64 = power_of_two(-450);
 const LARGE: f64 = power_of_two(450);
 
@@ -40,8 +38,8 @@ pub(super) fn difference(x: Dd, y: Dd) -> Dd {
     sum(x, -y)
 }
 
-/// Returns xy with an error of at most 5u²·|xy|, by the algorithm DWTimesDW2. Without fusing it is
-/// DWTimesDW1.
+/// Returns xy with an error of at most 5u²·|xy|, by the algorithm DWTimesDW2 or, without fused
+/// operations, DWTimesDW1.
 #[inline(always)]
 pub(super) fn product(x: Dd, y: Dd) -> Dd {
     let leading = two_product(x.high, y.high);
@@ -50,14 +48,12 @@ pub(super) fn product(x: Dd, y: Dd) -> Dd {
 
 /// Returns xy + z with an error of at most 16u²·|xy| + 5u²·|xy + z|.
 ///
-/// The product is not normalised, and the lower parts are added as floats. This takes 15 operations
-/// and half the latency of a product and a sum, which take 28 operations. The result is as
-/// accurate, because the error of the product is a multiple of |xy| even if the sum cancels.
+/// The lower parts are added as floats, in half the time of a product and a sum.
 ///
 /// Let p = |xy| and r = |xy + z|, where |z| ≤ p + r. In units of u², the additions of the lower
-/// parts round by p + |z|, 2p + |z|, 3p + |z| and 3p + |z| + r. The omitted x.low·y.low is p.
-/// Without fused multiply-adds two products round by p each. If the leading parts cancel below the
-/// lower sum, they leave a multiple of its last place, and the last sum is exact.
+/// parts round by p + |z|, 2p + |z|, 3p + |z| and 3p + |z| + r. The omitted product x.low·y.low is
+/// at most p. Without fused multiply-adds two products round by p each. If the leading parts cancel
+/// below the lower sum, the last sum is exact.
 #[inline(always)]
 pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
     let (leading, product_error) = two_product(x.high, y.high);
@@ -73,9 +69,8 @@ pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
 
 /// Returns x/y with an error of at most 14u²·|x/y|.
 ///
-/// The remainder r = x − qy of the leading quotient q is known up to its last bits, because x.high
-/// − q·y.high is a float. The correction is r times the float nearest to 1/y.high, which is
-/// computed in parallel with q.
+/// The remainder r = x − qy of the leading quotient q is corrected by r times the float nearest to
+/// 1/y.high, which is computed in parallel with q.
 ///
 /// With x.high, y.high and q scaled into [1,2), the errors in units of u² of x/y are as follows.
 /// Products and sums in r contribute 3, because r is at most 3u·x.high. The last addition in r

@@ -8,16 +8,15 @@ use super::fixed::{Fixed, HALF};
 
 const CHUNK: usize = 19;
 
-/// The base 10¹⁹ of a chunk, which has 19 decimal digits.
 const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 
-/// An upper bound on the digits of sums and ties of two `f64`: 309 before the point, 1075 after it.
+/// An upper bound on the digits of sums of two `f64`: 309 before the point, and 1075 after it.
 const CAPACITY: usize = 1444;
 
-/// An upper bound on the zeros after the point. The powers of ten in `f64` go down to −324.
+/// An upper bound on the zeros after the point, because `f64` reaches down to 10⁻³²⁴.
 const LEADING_ZEROS: usize = 342;
 
-/// The number 0.d₁d₂…·10^exponent, where d₁ and the last digit are not 0. Zero has no digits.
+/// The number 0.d₁d₂…·10^exponent with digits dᵢ. The first and the last digit are not 0.
 pub(super) struct Decimal {
     digits: [u8; CAPACITY],
     length: usize,
@@ -40,7 +39,6 @@ impl Decimal {
         for &chunk in chunks[..count].iter().rev() {
             decimal.push_chunk(chunk);
         }
-        // All digits pushed so far are before the point.
         decimal.exponent += (CHUNK * count) as i64;
         let mut limbs = [0; HALF];
         limbs.copy_from_slice(fraction);
@@ -51,7 +49,7 @@ impl Decimal {
         decimal
     }
 
-    /// Appends nineteen digits. Leading zeros of the number shift the point instead.
+    /// Appends nineteen digits, without the leading zeros of the number.
     fn push_chunk(&mut self, mut chunk: u64) {
         let mut power = CHUNK_BASE / 10;
         while power != 0 {
@@ -91,8 +89,7 @@ impl Decimal {
             return;
         }
         let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
-        // The last stored digit is not zero. If any digit follows the first dropped digit, the
-        // dropped part is therefore more than that digit alone. A dropped 5 is then no tie.
+        // The last stored digit is not 0. If more digits follow a dropped 5, this is no tie.
         let has_rest = self.length > count + 1 || self.is_cut;
         let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
         self.length = count;
@@ -131,7 +128,7 @@ impl Decimal {
         decimal
     }
 
-    /// Truncates a nonzero number to fixed point. Also returns whether digits were cut off.
+    /// Truncates a nonzero number to fixed point, and returns whether digits were cut off.
     fn to_fixed(&self) -> (Fixed, bool) {
         let digit =
             |place: i64| usize::try_from(place).ok().and_then(|place| self.digits().get(place)).copied();
@@ -141,7 +138,6 @@ impl Decimal {
         };
         let mut fixed = Fixed::ZERO;
         let (fraction, integer) = fixed.limbs.split_at_mut(HALF);
-        // Zeros pad the first of the whole chunks before the point on the left.
         let mut first = self.exponent.rem_euclid(CHUNK as i64) - CHUNK as i64;
         while first < self.exponent {
             append_chunk(integer, chunk(first));
@@ -162,7 +158,7 @@ impl Decimal {
     }
 }
 
-/// Writes the chunks of an integer, least significant first, and returns their number.
+/// Writes the chunks of an integer, least significant first, and returns the number of chunks.
 fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
     let mut limbs = [0; HALF];
     limbs.copy_from_slice(integer);
@@ -211,13 +207,12 @@ fn next_limb(fraction: &mut [u64]) -> u64 {
     carry
 }
 
-/// Parses the texts that `f64` parses. `high` is the nearest float, and `low` is the float nearest
-/// to the remainder.
+/// Parses the text forms that `f64` parses, with both parts correctly rounded.
 impl FromStr for Dd {
     type Err = ParseFloatError;
 
     /// # Errors
-    /// Returns an error for texts that `f64` rejects.
+    /// If `f64` rejects the text.
     fn from_str(text: &str) -> Result<Self, ParseFloatError> {
         let high: f64 = text.parse()?;
         if !high.is_finite() || high == 0.0 {
@@ -227,7 +222,6 @@ impl FromStr for Dd {
         let leading = Fixed::magnitude(high);
         let low = if number.is_less(&leading) {
             let rest = leading.minus(&number);
-            // The difference leading − (number + more) lies between two fixed-point numbers.
             let rest = if has_more { rest.minus(&Fixed::last_place()) } else { rest };
             -rest.rounded(has_more)
         } else {

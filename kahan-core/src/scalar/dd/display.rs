@@ -1,5 +1,4 @@
-//! Double-doubles as text, correctly rounded to 32 significant digits or to the digits that the
-//! format requests. Trailing zeros are omitted unless the format requests a precision.
+//! Double-doubles as text, correctly rounded to 32 significant digits or to the requested digits.
 
 use core::fmt::{self, Alignment, Formatter, Write};
 
@@ -7,14 +6,13 @@ use super::Dd;
 use super::decimal::Decimal;
 use super::fixed::Fixed;
 
-/// The number of significant digits if no precision is given.
 const DIGITS: i64 = 32;
 
-/// The decimal exponents of numbers that are written without an exponent, from 10⁻⁵ to below 10³².
+/// The decimal exponents of numbers that are written without an exponent.
 const POSITIONAL: core::ops::Range<i64> = -5..32;
 
-/// Writes numbers from 10⁻⁵ to below 10³² without an exponent, other numbers with one. With a
-/// precision, no number gets an exponent, and the precision counts decimals.
+/// Writes numbers from 10⁻⁵ to below 10³² without an exponent. With a precision, no number gets an
+/// exponent, and the precision counts decimals.
 impl fmt::Display for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);
@@ -107,7 +105,7 @@ fn repeat(out: &mut dyn Write, character: char, count: usize) -> fmt::Result {
     (0..count).try_for_each(|_| out.write_char(character))
 }
 
-/// Writes the digits at these positions, and zeros beyond the last digit.
+/// Writes the digits at these positions, with zeros beyond the last digit.
 fn write_digits(decimal: &Decimal, places: core::ops::Range<i64>, out: &mut dyn Write) -> fmt::Result {
     for place in places {
         let digit = usize::try_from(place).ok().and_then(|place| decimal.digits().get(place));

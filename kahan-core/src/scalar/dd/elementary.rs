@@ -1,9 +1,7 @@
-//! Exponential function, logarithm, sine and cosine, each with its error bound in terms of u =
-//! 2⁻⁵³.
+//! Exponential function, logarithm, sine and cosine, with error bounds in terms of u = 2⁻⁵³.
 //!
-//! The argument is reduced to a small r, at which a series is summed. A bound adds the rounding
-//! errors of the reduction and of the last sum to those of the other terms. The latter count by the
-//! share of their terms in the value. Truncating a series costs less than u²/4.
+//! The argument is reduced to a small r, at which a series is summed. A bound adds the errors of
+//! the reduction, of the last sum, and of the other terms, weighted by their share in the value.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, LOG2_E, SQRT_2};
 
@@ -13,15 +11,14 @@ use super::Dd;
 use super::error_free::two_product;
 use super::extremes::{exponent, scaled};
 
-/// The leading 40 bits of ln 2, whose products with exponents are exact floats.
+/// The leading 40 bits of ln 2. Products with exponents are exact.
 const LN_2: f64 = 0.6931471805592082;
 const REST_OF_LN_2: Dd = Dd { high: 7.371002565167799e-13, low: 1.94704509238075e-31 };
 
-/// The two leading floats of π/2. The remainder is `REST_OF_HALF_PI`.
 const HALF_PI: [f64; 2] = [FRAC_PI_2, 6.123233995736766e-17];
 const REST_OF_HALF_PI: Dd = Dd { high: -1.4973849048591698e-33, low: 5.562271104316826e-50 };
 
-/// Returns 1 + z/(n + 1)·(1 + z/(n + 2)·(1 + …)), where n is `first` and the divisors end at
+/// Returns 1 + z/(n + 1)·(1 + z/(n + 2)·(1 + …)), where n is `first` and the last divisor is
 /// `last`. With `step` 2, each divisor is the product of the next two numbers.
 fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
     let one = Dd::from(1.0);
@@ -68,10 +65,10 @@ pub(super) fn ln(x: Dd) -> Dd {
 /// Returns sin x and cos x, each with a relative error of at most 16u² plus 2⁻¹⁵⁵|x|. The results
 /// are NaN for |x| > 2⁴⁰.
 ///
-/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|; if x cancels, 6u² of the second
-/// float of k·π/2 is added. The last sum rounds by 3u². The other terms have a relative error of
-/// 38u² for the sine, where they are at most 0.12 of the value. For the cosine their error is 18u²,
-/// and they are at most 0.42 of the value.
+/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|. If the subtraction cancels, 6u²
+/// of the second float of k·π/2 is added. The last sum rounds by 3u². The other terms of the sine
+/// have the relative error 38u², and are at most 0.12 of the value. The other terms of the cosine
+/// have the relative error 18u², and are at most 0.42 of the value.
 pub(super) fn sin_cos(x: Dd) -> (Dd, Dd) {
     if x.is_nan() || x.high.abs() > power_of_two(40) {
         return (Dd::from(f64::NAN), Dd::from(f64::NAN));

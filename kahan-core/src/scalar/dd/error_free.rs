@@ -1,10 +1,9 @@
 //! Error-free sums and products of two floats.
 //!
-//! In: two floats. Out: the rounded result and its error, whose sum is exact unless the result
-//! overflows or is a product below 2⁻⁹⁶⁹. Multiply-adds are fused if the target has fused
-//! operations.
+//! A function returns the rounded result and its error. The sum of both is exact unless the result
+//! overflows or is a product below 2⁻⁹⁶⁹.
 
-/// Returns a + b, rounded, and its error (Knuth).
+/// Returns the rounded sum and its error (Knuth).
 #[inline(always)]
 pub(super) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -13,7 +12,7 @@ pub(super) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - from_a) + (b - from_b))
 }
 
-/// Returns a + b, rounded, and its error (Dekker). Requires that |a| ≥ |b|, or that a is a multiple
+/// Returns the rounded sum and its error (Dekker). Requires that |a| ≥ |b|, or that a is a multiple
 /// of the last place of b.
 #[inline(always)]
 pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
@@ -39,7 +38,7 @@ mod product {
         (product, a.mul_add(b, -product))
     }
 
-    /// Returns whole − ab. Here a is the rounded quotient whole/b, or a = b is the rounded root of
+    /// Returns whole − ab for the rounded quotient a of whole/b, or for the rounded root a = b of
     /// whole.
     #[inline(always)]
     pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
@@ -54,10 +53,10 @@ mod product {
 
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 mod product {
-    /// The number 2⁹⁹⁵, above which [`split`] could overflow.
+    /// Above this number [`split`] may overflow.
     const LARGE: f64 = f64::from_bits((1023 + 995) << 52);
 
-    /// Returns ab, rounded, and its error, by splitting the factors (Dekker).
+    /// Returns the rounded product and its error, by splitting the factors (Dekker).
     #[inline(always)]
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         if a.abs() < LARGE && b.abs() < LARGE { halves(a, b) } else { large(a, b) }
@@ -80,8 +79,8 @@ mod product {
         (high, a - high)
     }
 
-    /// Returns ab, rounded, and its error for a large factor, which is scaled down. The other
-    /// factor is scaled up; therefore neither of its parts underflows.
+    /// Returns the rounded product and its error for a large factor, which is scaled down. The
+    /// other factor is scaled up to prevent underflow.
     #[cold]
     #[inline(never)]
     fn large(a: f64, b: f64) -> (f64, f64) {
@@ -92,7 +91,7 @@ mod product {
         if b.abs() < LARGE * DOWN {
             (product, halves(a * DOWN, b * UP).1)
         } else {
-            // In this case the product is infinite or NaN.
+            // The product is infinite or NaN.
             (product, f64::NAN)
         }
     }

@@ -1,7 +1,6 @@
 //! The operations on operands for which intermediate results would leave the range of `f64`.
 //!
-//! Finite operands are scaled by powers of two, which is exact. Then the usual formulas and bounds
-//! apply. Results beyond the range are infinite.
+//! Finite operands are scaled exactly, by powers of two. Results beyond the range are infinite.
 
 use crate::scalar::bounded::power_of_two;
 
@@ -48,7 +47,7 @@ pub(super) fn square_root(x: Dd) -> Dd {
     }
 }
 
-/// Scales finite nonzero numbers into [1, 2), and also returns their binary exponents.
+/// Scales finite nonzero numbers into [1, 2), and returns the removed binary exponents.
 fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
     let is_plain = |x: Dd| x.is_finite() && x.high != 0.0;
     if !(is_plain(x) && is_plain(y)) {
@@ -58,7 +57,7 @@ fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
     Some((scaled(x, -exponents.0), scaled(y, -exponents.1), exponents))
 }
 
-/// Returns the exponent e with 2ᵉ ≤ |x| < 2ᵉ⁺¹, for a finite nonzero x.
+/// Returns e with 2ᵉ ≤ |x| < 2ᵉ⁺¹, for a finite nonzero x.
 pub(super) fn exponent(x: f64) -> i32 {
     let bits = x.abs().to_bits();
     match (bits >> 52) as i32 {
@@ -68,14 +67,12 @@ pub(super) fn exponent(x: f64) -> i32 {
     }
 }
 
-/// Returns 2ᵏx. Below the normal range each part is rounded once, with an error of at most 2⁻¹⁰⁷⁴.
-/// The low part may underflow for every k.
+/// Returns 2ᵏx. Below the normal range each part has an error of at most 2⁻¹⁰⁷⁴.
 pub(super) fn scaled(x: Dd, k: i32) -> Dd {
     // If k is beyond ±2200, every result is infinite or 0.
     let k = k.clamp(-2200, 2200);
     let third = k / 3;
     let [a, b, c] = [power_of_two(third), power_of_two(third), power_of_two(k - 2 * third)];
     let high = x.high * a * b * c;
-    // Rounding may have turned the low part into a tie.
     Dd::new(high, if high.is_finite() { x.low * a * b * c } else { 0.0 })
 }

@@ -1,14 +1,12 @@
-//! Binary fixed-point numbers that hold any sum of two `f64`. Conversions from and to text use
-//! these.
+//! Binary fixed-point numbers that hold any sum of two `f64`, for conversions from and to text.
 
 use crate::scalar::bounded::power_of_two;
 
 use super::Dd;
 
-/// The number of 64-bit limbs before the point, and also after it. Bits range from 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
+/// The number of 64-bit limbs before the point, and also after it.
 pub(super) const HALF: usize = 17;
 
-/// The number of bits after the binary point.
 const POINT: i32 = 64 * HALF as i32;
 
 /// The number Σ limbsᵢ·2⁶⁴ⁱ⁻¹⁰⁸⁸, where i is the index of a limb.
@@ -69,12 +67,12 @@ impl Fixed {
         fixed
     }
 
-    /// Rounds a number below 2¹⁰²⁴ to the nearest float, ties to even. With `has_more`, the exact
-    /// number is slightly larger.
+    /// Rounds a number below 2¹⁰²⁴ to the nearest float, ties to even. `has_more` says that the
+    /// exact number is slightly larger.
     pub(super) fn rounded(&self, has_more: bool) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let leading = 64 * top as i32 + 63 - self.limbs[top].leading_zeros() as i32;
-        // The exponent of the last bit of a float of this magnitude.
+        // This is the exponent of the float's last bit.
         let last = (leading - POINT - 52).max(-1074);
         let (limb, shift) = place(last);
         let next = self.limbs.get(limb + 1).copied().unwrap_or(0);
@@ -92,7 +90,7 @@ impl Fixed {
     }
 }
 
-/// Returns the index of the limb, and of the bit in it, that stands for 2^exponent.
+/// Returns the limb and the bit in it that stand for 2^exponent.
 fn place(exponent: i32) -> (usize, u32) {
     let bit = (exponent + POINT) as u32;
     ((bit / 64) as usize, bit % 64)

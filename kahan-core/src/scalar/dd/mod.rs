@@ -1,9 +1,7 @@
 //! Double-double numbers: unevaluated sums of two `f64`, with about 32 decimal digits.
 //!
-//! In: floats, constants, text. Out: the four operations, square root and elementary functions,
-//! with errors of a few u² for u = 2⁻⁵³, stated at each operation. The exponent range is that of
-//! `f64`. `arithmetic` builds on `error_free` and leaves out-of-range operands to `extremes`.
-//! `decimal` and `display` are exact, and compute with the numbers of `fixed`.
+//! The four operations, the square root and elementary functions have errors of a few u² for u =
+//! 2⁻⁵³. The exponent range is that of `f64`. Conversions from and to text are exact.
 
 mod arithmetic;
 mod decimal;
@@ -18,11 +16,11 @@ mod traits;
 
 /// A double-double number high + low, where `high` is the `f64` nearest to the sum.
 ///
-/// Because |low| ≤ ½ ulp(high), numbers have at least 106 bits, and are equal only if both parts
-/// are equal. Infinities and NaN have low = 0 and behave as the `f64` in `high` does.
+/// Because |low| ≤ ½ ulp(high), numbers have at least 106 bits. Infinities and NaN have low = 0 and
+/// behave as the `f64` in `high` does.
 ///
 /// # Bounds
-/// The following bounds hold for the relative errors of the operations, with u = 2⁻⁵³:
+/// The relative errors of the operations have the following bounds, with u = 2⁻⁵³:
 ///
 /// | operation | bound | source |
 /// |---|---|---|
@@ -37,17 +35,15 @@ mod traits;
 /// Products and quotients below 2⁻⁹⁶⁹ lose low bits, which adds an error of at most 2⁻¹⁰⁷². Sums
 /// never underflow. Results from 2¹⁰²⁴ on become infinite, and so do products in multiply-adds.
 ///
-/// The bits depend on whether the target fuses multiply-adds. If it does, xy and yx may differ.
+/// The results depend on whether the target fuses multiply-adds. If it does, xy and yx may differ.
 ///
 /// # Cost
-/// The following numbers hold with fused multiply-adds, on a target that has them and with `std`. A
-/// sum takes 20 operations, a product 8, a multiply-add 15. Without fusing a product takes 24
-/// operations. A quotient takes 7 operations and two parallel divisions.
+/// With `std` and fused multiply-adds, a sum takes 20 operations, a product 8, a multiply-add 15,
+/// and a quotient 7 operations and two parallel divisions. Without fusing, a product takes 24.
 ///
 /// # Text
 /// Decimals of any length are read exactly, and each part is correctly rounded. Numbers are written
-/// with 32 significant digits, or as the format requests (`{:.40}`, `{:.40e}`). The written digits
-/// are correctly rounded.
+/// with 32 significant digits or as the format requests (`{:.40}`, `{:.40e}`), correctly rounded.
 ///
 /// ```
 /// use kahan_core::Dd;
@@ -65,11 +61,11 @@ pub struct Dd {
 }
 
 impl Dd {
-    /// Returns high + low exactly, for floats of any size and order. If `high` is not finite, `low`
-    /// is 0.
+    /// Returns high + low exactly, for floats of any size and order. If the sum overflows, `low`
+    /// becomes 0.
     #[inline]
     pub const fn new(high: f64, low: f64) -> Self {
-        // In this order only the sum itself can overflow.
+        // In this order, an overflow occurs only if the sum itself overflows.
         let (larger, smaller) = if high.abs() < low.abs() { (low, high) } else { (high, low) };
         let (sum, error) = error_free::fast_two_sum(larger, smaller);
         if sum.is_finite() { Self { high: sum, low: error } } else { Self::leading(sum) }
@@ -80,7 +76,7 @@ impl Dd {
         Self { high, low: 0.0 }
     }
 
-    /// Returns the `f64` nearest to the number, which is even in a tie.
+    /// Returns the `f64` nearest to the number, ties to even.
     #[inline(always)]
     pub const fn high(self) -> f64 {
         self.high
@@ -116,7 +112,7 @@ impl Dd {
         arithmetic::quotient(Self::leading(1.0), self)
     }
 
-    /// Returns √self with a relative error of at most 4u². The result is NaN below zero, and −0 at
+    /// Returns √self with a relative error of at most 4u². The result is NaN below zero, and −0 for
     /// −0.
     #[inline]
     pub fn sqrt(self) -> Self {
@@ -177,7 +173,6 @@ impl From<i32> for Dd {
     }
 }
 
-/// Rounds to the nearest `f64`.
 impl From<Dd> for f64 {
     #[inline(always)]
     fn from(x: Dd) -> Self {

@@ -1,9 +1,9 @@
-//! The formulas of the operations without overflow or underflow. Callers guarantee the range.
+//! The operations on numbers for which no intermediate result overflows or underflows.
 
 use super::Dd;
 use super::error_free::{fast_two_sum, multiply_add, remainder, root, two_sum};
 
-/// Adds two smaller numbers to `leading`, a sum with its error.
+/// Adds two smaller numbers to a sum and its rounding error.
 #[inline(always)]
 pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
     let (lower, rest) = two_sum(a, b);
@@ -12,7 +12,7 @@ pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
     Dd { high, low }
 }
 
-/// Returns xy. The first argument is the exact product of the high parts.
+/// Returns xy, from the exact product of the high parts.
 #[inline(always)]
 pub(super) fn product((leading, error): (f64, f64), x: Dd, y: Dd) -> Dd {
     let lower = multiply_add(x.low, y.high, x.high * y.low);

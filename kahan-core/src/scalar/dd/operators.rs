@@ -20,8 +20,7 @@ operators!([] Dd: arithmetic::sum, arithmetic::difference, arithmetic::product, 
 impl PartialOrd for Dd {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        // Rounding to nearest is monotonic. Therefore low parts matter only between equal high
-        // parts.
+        // Rounding is monotonic. Therefore low parts matter only between equal high parts.
         match self.high.partial_cmp(&other.high)? {
             Ordering::Equal => self.low.partial_cmp(&other.low),
             order => Some(order),

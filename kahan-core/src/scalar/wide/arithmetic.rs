@@ -1,7 +1,6 @@
 //! The four operations on [`Digits`], comparison and equality.
 //!
-//! The radius of a result covers the radii of the operands and the digits that were cut off. All
-//! else is exact.
+//! The radius of a result covers the radii of the operands and the digits that were cut off.
 
 use core::cmp::Ordering;
 use core::ops::Neg;
@@ -52,7 +51,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self { radius: quotient.radius + self.radius, ..quotient }
     }
 
-    /// Returns a sign, m and e if the numerator is ±m·2^e with an odd m of 64 bits.
+    /// Returns the sign, m and e if the numerator is ±m·2^e with an odd m of 64 bits.
     fn short(&self) -> Option<(bool, u64, i64)> {
         let row = self.row();
         let (first, last) = (row.digits().first()?, row.digits().last()?);
@@ -93,8 +92,7 @@ operators! {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// Multiplies numbers with radii r_a and r_b: |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero
-    /// times an undefined number is undefined.
+    /// Multiplies numbers with radii r_a and r_b: |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b.
     #[inline(never)]
     fn times(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) {
@@ -108,8 +106,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     }
 
     /// Divides numbers with radii r_a and r_b. If r_b ≤ |b̂|/64, |a/b − â/b̂| ≤ (r_a +
-    /// |â/b̂|·r_b)/(|b̂| − r_b). For a larger r_b the radius is infinite. For a zero divisor the
-    /// quotient is undefined.
+    /// |â/b̂|·r_b)/(|b̂| − r_b). For a larger r_b the radius is infinite.
     #[inline(never)]
     fn over(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) || other.is_zero() {
@@ -128,7 +125,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self { radius: quotient.radius + radius, ..quotient }
     }
 
-    /// Returns the quotient by a divisor of few bits, which multiplies the denominator.
+    /// Returns the exact quotient by a divisor of few bits, if the denominator fits 64 bits.
     fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (is_negative, odd, exponent) = divisor.short()?;
         let denominator = self.denominator.checked_mul(odd)?;
@@ -151,7 +148,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     }
 }
 
-/// An undefined number equals no number, not even itself.
 impl<const D: usize, const M: usize> PartialEq for Digits<D, M> {
     fn eq(&self, other: &Self) -> bool {
         let difference = *self - *other;

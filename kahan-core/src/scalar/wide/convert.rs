@@ -1,8 +1,7 @@
 //! Conversions between [`Digits`] and floats, double-doubles, integers and ratios.
 //!
 //! Conversions from floats and integers are exact. Conversions to floats round correctly, ties to
-//! even, also to subnormal floats. Values beyond the range become ±∞, and undefined numbers become
-//! NaN.
+//! even. Values beyond the range become ±∞, and undefined numbers become NaN.
 
 use num_traits::Zero;
 
@@ -55,8 +54,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::from_limbs(negative, numerator) / Self::from_limbs(false, denominator)
     }
 
-    /// Returns the nearest `f64`, ties to even. Beyond the largest float the result is ±∞; for
-    /// undefined numbers it is NaN.
+    /// Returns the nearest `f64`, ties to even.
     pub(crate) fn to_f64(self) -> f64 {
         let magnitude = f64::from_bits(self.encode(&DOUBLE));
         if self.row().sign() < 0 { -magnitude } else { magnitude }
@@ -68,15 +66,10 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// Returns the nearest `f64`, and the `f64` nearest to the remainder. If the first is not
-    /// finite, the second is 0.
-    ///
-    /// If the second rounds to half an ulp of the first, the sum of both may round away from the
-    /// first.
+    /// Returns the nearest `f64`, and the `f64` nearest to the remainder.
     pub(crate) fn to_double_double(self) -> (f64, f64) {
         let high = self.to_f64();
-        // The difference is exact, because its digits lie between the last bit of `high` and the
-        // end.
+        // The difference is exact, because it has few digits.
         let low = if high.is_finite() { (self - Self::from(high)).to_f64() } else { 0.0 };
         (high, low)
     }
@@ -93,7 +86,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         if exponent > 1 - format.lowest {
             return infinity;
         }
-        // Subnormal numbers have fewer bits, because all of them have one last place.
+        // Below the normal range, numbers have fewer bits.
         let missing = (format.lowest - exponent).max(0);
         let kept = i64::from(format.precision) - missing;
         if kept < 0 {
@@ -107,14 +100,13 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         };
         let half = 1_u128 << (dropped - 1);
         let is_up = rest > half || (rest == half && integer & 1 == 1);
-        // The hidden bit, and a carry from the fraction, increment the exponent, up to that of
-        // infinity.
+        // The hidden bit, and a carry from the fraction, increment the exponent.
         let binade = exponent.max(format.lowest) - format.lowest;
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
-    /// Returns n and e with |numerator| ≈ n·2^e and at least 64 bits in n. If digits are omitted, n
-    /// is odd. Then n rounds to fewer bits as the whole numerator does.
+    /// Returns n and e with |numerator| ≈ n·2^e, where n has at least 64 bits. Rounding n to fewer
+    /// bits gives the correctly rounded numerator.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

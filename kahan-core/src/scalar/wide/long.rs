@@ -1,8 +1,8 @@
 //! Numbers of many digits on the heap, for the last precision level of a step.
 //!
-//! A step may need more than 17 × 64 bits if its matrix has entries a thousand powers of ten apart
-//! and nearly singular blocks. Every operation except on zero allocates, and takes time quadratic
-//! in the number of digits. Therefore an elimination starts with few digits.
+//! A step may need more than 17 × 64 bits if its matrix has entries of very different size and
+//! nearly singular blocks. An operation takes time quadratic in the number of digits. Therefore an
+//! elimination starts with few digits.
 
 use std::boxed::Box;
 
@@ -12,7 +12,7 @@ use super::{Digits, Size, Wide};
 use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
-/// The capacity of the numbers in an elimination, their largest number of digits.
+/// The largest number of digits of the numbers in an elimination.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
     Few,
@@ -34,7 +34,7 @@ enum Number {
     Most(Box<Most>),
 }
 
-/// Evaluates an expression for a number, whichever capacity the number has.
+/// Evaluates an expression for a number of any capacity.
 macro_rules! of_any_capacity {
     ($number:expr, |$digits:ident| $value:expr) => {
         match $number {
@@ -45,7 +45,7 @@ macro_rules! of_any_capacity {
     };
 }
 
-/// Applies an operator to two numbers. The smaller of both capacities is used.
+/// Applies an operator to two numbers, with the smaller of both capacities.
 macro_rules! of_common_capacity {
     ($a:expr, $operator:tt, $b:expr) => {
         match ($a, $b) {
@@ -76,8 +76,8 @@ macro_rules! capacities {
 
 capacities! { Few: Wide; More: More; Most: Most; }
 
-/// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) 64-bit digits. Exact zeros use no heap
-/// memory. A result has the smaller capacity of its operands.
+/// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) 64-bit digits. A result has the smaller
+/// capacity of its operands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LongNumber(Option<Number>);
 
@@ -98,7 +98,7 @@ impl LongNumber {
         Self((!is_exactly_zero).then_some(number))
     }
 
-    /// Returns an upper bound of |v|, where v is the exact value.
+    /// Returns an upper bound of the exact value's magnitude.
     pub(crate) fn at_most(&self) -> Size {
         let at_most = |number: &Number| of_any_capacity!(number, |digits| digits.size() + digits.radius());
         self.0.as_ref().map_or_else(Size::zero, at_most)
@@ -111,21 +111,20 @@ impl LongNumber {
 
     /// Returns whether the exact value differs from `rounded` by at most relative·|rounded|.
     ///
-    /// If this holds for all components of x̃, then |A·x̃ − b|ᵢ ≤ relative·(|A|·|x̃|)ᵢ in every row
-    /// i of A·x̃ = b.
+    /// If this holds for all components of x̃, then |A·x̃ − b| ≤ relative·(|A|·|x̃|) in every row
+    /// of A·x̃ = b.
     pub(crate) fn is_within(&self, relative: f64, rounded: Wide) -> bool {
         let off = self.leading() - rounded;
         off.size() + off.radius() <= rounded.size() * Size::from(relative)
     }
 
-    /// Returns whether more digits of the number are known than any scalar has.
+    /// Returns whether more digits are known than any scalar has.
     fn is_known(&self) -> bool {
         self.leading().radius() * Size::from(1e40) <= self.at_most()
     }
 
-    /// Returns whether all components are known, or a known component is out of range. A larger
-    /// capacity would then not help. Each component comes with the information whether it is in
-    /// range.
+    /// Returns whether a larger capacity would not help, because all components are known, or a
+    /// known component is out of range. Each component comes with whether it is in range.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);
@@ -161,8 +160,8 @@ impl LongNumber {
     }
 }
 
-/// Scales a row of a linear system by a power of two. The largest entry of the row is then near 1,
-/// and the largest entry of a column is a good pivot.
+/// Scales a row of a linear system by a power of two. The largest entry of a column is then a good
+/// pivot.
 pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut LongNumber>, right: &mut LongNumber) {
     let mut row: std::vec::Vec<_> = row.collect();
     let largest = row.iter().filter(|entry| entry.0.is_some()).map(|entry| entry.at_most());

@@ -1,11 +1,9 @@
 //! Software floats with sparse digits and an error radius, which prove the error bound of a step.
 //!
-//! In: floats, constants, and a step over any [`Scalar`](crate::Scalar). Out: the step with error
-//! bounds. A number is a [row](rows) of at most D nonzero base-2⁶⁴ digits over a 64-bit
-//! denominator; therefore (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ and short fractions are exact. The *radius* bounds
-//! the digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats and divisions by zero are
-//! *undefined*, and so are all results from them. D(x,ε) of six variables has terms from 2⁻¹²⁸⁸⁸ to
-//! 2¹²²⁸⁸; with dense digits, a number of this range would take 3 kB.
+//! A number is a [row](rows) of at most D nonzero base-2⁶⁴ digits over a 64-bit denominator. The
+//! *radius* bounds the digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats and divisions
+//! by zero are *undefined*, and so are all results from them. Digits are sparse because a
+//! determinant of six variables has terms from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
 
 mod arithmetic;
 mod convert;
@@ -29,27 +27,23 @@ use rows::{DigitRow, leading, size_of};
 /// Numbers of 17 digits of 64 bits, with which the error bounds of a step are computed.
 pub(crate) type Wide = Digits<17, 40>;
 
-/// The largest magnitude of a place, the power of 2⁶⁴ that the leading digit has.
+/// The largest magnitude of a number's exponent to the base 2⁶⁴.
 const FARTHEST: u64 = 1 << 40;
 
-/// A number of at most D digits of 64 bits. Rows of intermediate results have M = 2D + 6 digits.
-/// The number is
+/// A number of at most D digits of 64 bits: Σ digit·2^(64·(place − below)) / denominator.
 ///
-/// Σ digit·2^(64·(place − below)) / denominator.
-///
-/// An operation adds at most 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT)·|result| to the radius.
+/// Rows of intermediate results have M = 2D + 6 digits. An operation adds at most
+/// 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT)·|result| to the radius.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Digits<const D: usize, const M: usize> {
     digits: [i64; D],
-    /// The place of the leading digit, which is its power of 2⁶⁴.
+    /// The exponent of the leading digit, to the base 2⁶⁴.
     place: i64,
-    /// The denominator, which is 1 if the number is zero.
     denominator: u64,
     /// The error radius, which is NaN if the number is undefined.
     radius: Size,
-    /// For each digit, its distance from the leading digit's place.
+    /// For each digit, the number of places between the leading digit and this digit.
     below: [u16; D],
-    /// The number of digits. All digits are nonzero.
     count: u16,
 }
 
@@ -59,8 +53,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         D
     };
 
-    /// The exponent of the largest relative error. A number of D digits is at least 2⁶⁴⁽ᴰ⁻¹⁾⁻¹
-    /// times the unit of its last digit.
+    /// The binary exponent of the largest relative error of an operation.
     pub(crate) const UNIT_EXPONENT: i64 = -(64 * (Self::MOST_DIGITS as i64 - 1) - 2);
 
     const ZERO: Self = Self {
@@ -112,7 +105,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::of(&DigitRow::of_significand(1, power), 1, Size { exponent: 0, mantissa: 0.0 })
     }
 
-    /// Returns a bound on the distance from the exact value, which is 0 if no digit was cut off.
+    /// Returns a bound on the distance from the exact value, which is 0 if the number is exact.
     pub(crate) fn radius(&self) -> Size {
         self.radius
     }
@@ -121,7 +114,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         !self.radius.is_unknown()
     }
 
-    /// Returns |self|, exact up to a relative 2⁻⁵⁰, or NaN if the number is undefined.
+    /// Returns |self| up to a relative 2⁻⁵⁰, or NaN if the number is undefined.
     pub(crate) fn size(&self) -> Size {
         if !self.is_defined() {
             return self.radius;

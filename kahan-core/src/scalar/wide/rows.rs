@@ -1,14 +1,13 @@
 //! Exact sums and products of sparse rows of base-2⁶⁴ digits.
 //!
-//! Digits are signed, from −2⁶³ to 2⁶³ − 1. Therefore 2¹⁰⁰⁰ − 1 has two digits, and subtraction
-//! needs no long borrows. The value of a row is Σ digit·2^(64·place), which has the sign of the
-//! leading digit. A full row cuts off low digits, and stores a bound on these.
+//! Digits are signed, from −2⁶³ to 2⁶³ − 1. The value of a row is Σ digit·2^(64·place), which has
+//! the sign of the leading digit. A full row cuts off low digits, and stores a bound on them.
 
 use num_traits::Zero;
 
 use super::Size;
 
-/// A row of at most M nonzero digits with their places. The leading digit comes first.
+/// A row of at most M nonzero digits, each stored with its place. The leading digit comes first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DigitRow<const M: usize> {
     digits: [(i64, i64); M],
@@ -18,13 +17,12 @@ pub(super) struct DigitRow<const M: usize> {
     cut: Size,
 }
 
-/// The capacity of short rows. `LEADING` is the number of leading digits that a short row takes.
+/// The capacity of short rows, and the number of leading digits that a short row takes.
 const SHORT: usize = 40;
 const LEADING: usize = 18;
 
-/// Returns an upper bound on the value of a digit and all digits below it.
+/// Returns an upper bound on the value of a digit and all lower digits.
 fn from_here_on((place, digit): (i64, i64)) -> Size {
-    // The second factor covers the rounding in the digit's conversion.
     Size::from(digit.unsigned_abs() as f64 * (1.0 + 4.0 * f64::EPSILON) + 1.0).scaled(64 * place)
 }
 
@@ -32,12 +30,10 @@ impl<const M: usize> DigitRow<M> {
     /// Whether quotient digits are estimated by dividing short rows instead of floats.
     const IS_LONG: bool = M > SHORT;
 
-    /// The minimum number of correct bits of an estimated quotient digit. A short row omits less
-    /// than a unit of its last digit, and is at least half a unit of its first digit.
+    /// The minimum number of correct bits of an estimated quotient.
     const GUESSED: usize = if Self::IS_LONG { 64 * (LEADING - 2) } else { 48 };
 
-    /// The number of division rounds. Each round leaves less than 2^−GUESSED of the remainder. All
-    /// rounds together leave less than the unit of a number, which has half of the digits of a row.
+    /// The number of division rounds. Each round reduces the remainder by the factor 2^−GUESSED.
     const ROUNDS: usize = 64 * (M / 2 - 2) / Self::GUESSED + 1;
 
     pub(super) const EMPTY: Self =
@@ -52,7 +48,7 @@ impl<const M: usize> DigitRow<M> {
         (total - i128::from(digit)) >> 64
     }
 
-    /// Adds a digit before the other digits. If the row is full, the last digit is cut off.
+    /// Adds a new leading digit. A full row cuts off its last digit.
     fn lead(&mut self, digit: (i64, i64)) {
         if self.start == 0 {
             self.cut = self.cut + from_here_on(self.digits[M - 1]);
@@ -92,18 +88,18 @@ impl<const M: usize> DigitRow<M> {
         &self.digits[self.start..]
     }
 
-    /// Returns an upper bound on the total value of all digits after the first `kept`. The bound
-    /// includes the digits that were cut off.
+    /// Returns an upper bound on the value of all digits after the first `kept`, including digits
+    /// that were cut off.
     pub(super) fn without(&self, kept: usize) -> Size {
         self.digits().get(kept).map_or(self.cut, |&digit| self.cut + from_here_on(digit))
     }
 
-    /// Returns the sign of the row: 1, −1, or 0 for an empty row.
+    /// Returns 1, −1, or 0 for an empty row.
     pub(super) fn sign(&self) -> i64 {
         self.digits().first().map_or(0, |(_, digit)| digit.signum())
     }
 
-    /// Returns m and e such that m·2^e is the value of the row up to a relative 2⁻⁵¹.
+    /// Returns m and e with m·2^e equal to the row up to a relative 2⁻⁵¹.
     pub(super) fn leading(&self) -> (f64, i64) {
         match *self.digits() {
             [] => (0.0, 0),
@@ -116,8 +112,7 @@ impl<const M: usize> DigitRow<M> {
         size_of(self.leading())
     }
 
-    /// Returns |d·2⁶⁴ + d′| and the place of d′. Here d is the leading digit, and d′ is the digit
-    /// one place below, which may be 0. Returns `None` for zero.
+    /// Returns |d·2⁶⁴ + d′| for the leading digit d and the next digit d′, with the place of d′.
     pub(super) fn leading_pair(&self) -> Option<(u128, i64)> {
         let (&(place, first), rest) = self.digits().split_first()?;
         let second = rest.first().filter(|(next, _)| *next == place - 1).map_or(0, |(_, digit)| *digit);
@@ -161,7 +156,7 @@ impl<const M: usize> DigitRow<M> {
         let (mut place, mut carry) = (0, 0);
         for &(at, digit) in self.digits().iter().rev() {
             if carry != 0 && place != at + up {
-                // The carry is below 2⁶³, and is therefore itself a digit.
+                // A carry below 2⁶³ is itself a digit.
                 carry = product.settle(place, carry);
             }
             carry = product.settle(at + up, i128::from(digit) * i128::from(factor) + carry);
@@ -171,19 +166,18 @@ impl<const M: usize> DigitRow<M> {
         product
     }
 
-    /// Returns self·factor. No digits of the factor may have been cut off.
+    /// Returns self·factor. The factor must be exact.
     pub(super) fn times(&self, factor: &Self) -> Self {
         self.times_in_place(factor).unwrap_or_else(|| self.times_far_apart(factor))
     }
 
-    /// Returns self·factor, summed in place, or `None` if the places of the product do not fit a
-    /// row.
+    /// Returns self·factor, or `None` if self is inexact or the product does not fit a row.
     pub(super) fn times_in_place(&self, factor: &Self) -> Option<Self> {
         let (these, those) = (self.digits(), factor.digits());
         let (&(top, _), &(low, _)) = (these.first()?, these.last()?);
         let (&(factor_top, _), &(factor_low, _)) = (those.first()?, those.last()?);
         let lowest = low + factor_low;
-        // A carry reaches at most two places beyond the product's places.
+        // A carry reaches at most two places further.
         let places = usize::try_from(top + factor_top - lowest).ok().filter(|span| span + 3 <= M)? + 3;
         if !self.cut.is_zero() {
             return None;
@@ -199,7 +193,6 @@ impl<const M: usize> DigitRow<M> {
             };
             for &(place, digit) in these.iter().rev() {
                 let here = (place + up - lowest) as usize;
-                // Propagates the carry up to the next digit.
                 while at < here && add(&mut sums[at], 0) {
                     at += 1;
                 }
@@ -223,9 +216,8 @@ impl<const M: usize> DigitRow<M> {
         parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }
 
-    /// Returns q and r with self = q·divisor + r, for a nonzero divisor. The remainder r is zero,
-    /// or relative to self less than a unit of a number. The remainder is exact. Therefore later
-    /// rounds correct earlier estimates.
+    /// Returns q and r with self = q·divisor + r exactly, for a nonzero divisor. The remainder r is
+    /// below the last place of a number.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {
@@ -264,11 +256,11 @@ pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
     Size::from(leading.abs()).scaled(exponent)
 }
 
-/// Returns an integer and a binary exponent whose product is a finite float.
+/// Returns n and e with n·2^e = x, for a finite x.
 pub(super) fn significand(x: f64) -> (i64, i64) {
     let bits = x.to_bits();
     let (fraction, field) = ((bits & ((1 << 52) - 1)) as i64, (bits >> 52 & 0x7ff) as i64);
-    // A subnormal number has no hidden bit, and has the exponent of the smallest normal number.
+    // A subnormal number has no hidden bit, and the exponent of the smallest normal number.
     let (size, exponent) = if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
     (if x.is_sign_negative() { -size } else { size }, exponent)
 }

@@ -16,7 +16,6 @@ impl<const D: usize, const M: usize> Scalar for Digits<D, M> {
         Self::one().quotient(*self)
     }
 
-    /// Divides directly, because a reciprocal would be a second division.
     fn quotient(self, divisor: Self) -> Option<Self> {
         if divisor.is_zero() { None } else { Some(self / divisor) }
     }

@@ -5,8 +5,8 @@ use core::ops::{Add, Div, Mul};
 
 use num_traits::Zero;
 
-/// A magnitude mantissa·2^exponent with a mantissa in [1, 2). If the mantissa is 0, infinity or
-/// NaN, the exponent is 0. Operations round by at most 2⁻⁵². An exponent out of range gives NaN.
+/// A magnitude mantissa·2^exponent with a mantissa in [1, 2), or a mantissa 0, ∞ or NaN with
+/// exponent 0. Operations round by at most 2⁻⁵². An exponent out of range gives NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {
     pub(super) exponent: i64,
@@ -60,7 +60,6 @@ impl From<f64> for Size {
     }
 }
 
-/// Converts to `f64`. Magnitudes beyond the range of `f64` become infinite or zero.
 impl From<Size> for f64 {
     fn from(size: Size) -> Self {
         let exponent = size.exponent.clamp(-1200, 1200);

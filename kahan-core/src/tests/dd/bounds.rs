@@ -1,8 +1,7 @@
-//! Tests the stated error bounds of `Dd` on seeded operands, whose exponents cover the whole range.
+//! Tests the error bounds of `Dd` on random operands over the whole exponent range.
 //!
-//! Results are compared exactly, as integers times powers of two, and must be normalised. The
-//! ignored tests take more samples: `cargo test --release -p kahan-core --features exact --
-//! --ignored millions`.
+//! Results are compared exactly, as integers times powers of two. The ignored tests take more
+//! samples: `cargo test --release -p kahan-core --features exact -- --ignored millions`.
 
 use super::dyadic::Dyadic;
 use super::operands::Operands;
@@ -21,7 +20,7 @@ fn square_units(count: i64) -> Dyadic {
     Dyadic::new(count, -106) + Dyadic::new(count, -150)
 }
 
-/// Returns 2⁻¹⁰⁷², the error that is added below the normal range.
+/// Returns the error 2⁻¹⁰⁷² that is added below the normal range.
 fn least() -> Dyadic {
     Dyadic::new(1, -1072)
 }
@@ -38,7 +37,7 @@ fn assert_within(computed: &Dyadic, exact: &Dyadic, bound: &Dyadic, operands: &[
     assert!(error <= *bound, "{parts:?}");
 }
 
-/// Checks sums. The relative bound of a sum always holds, because sums of floats do not underflow.
+/// Checks sums. The relative bound always holds, because sums of floats do not underflow.
 fn check_sums(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {
@@ -56,9 +55,8 @@ fn check_sums(seed: u64, count: usize) {
     }
 }
 
-/// At these operands an operation nearly reaches its bound. The operands of the sum are from the
-/// paper of Joldeş, Muller and Popescu. A search without fused multiply-adds found the others in a
-/// minute.
+/// An operation nearly reaches its bound at these operands, which a search found. Those of the sum
+/// are from the paper of Joldeş, Muller and Popescu.
 #[test]
 fn the_bounds_are_nearly_reached() {
     let of_bits = |high: u64, low: u64| Dd::new(f64::from_bits(high), f64::from_bits(low));
@@ -139,7 +137,7 @@ fn check_quotients(seed: u64, count: usize) {
     }
 }
 
-/// Checks |z − √x| ≤ b√x for z = √x and its bound b, in the form (1 − b)²x ≤ z² ≤ (1 + b)²x.
+/// Checks |z − √x| ≤ b√x for the root z and its bound b, in the form (1 − b)²x ≤ z² ≤ (1 + b)²x.
 #[cfg(feature = "std")]
 fn check_square_roots(seed: u64, count: usize) {
     let one = || Dyadic::new(1, 0);
@@ -182,8 +180,7 @@ fn check_multiply_adds(seed: u64, count: usize) {
     }
 }
 
-/// Checks subnormal numbers. Sums are exact, and other operations have an additional error of
-/// 2⁻¹⁰⁷².
+/// Checks subnormal numbers, whose products and quotients have an additional error of 2⁻¹⁰⁷².
 fn check_subnormals(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {

@@ -1,5 +1,4 @@
-//! Exact numbers m·2ᵉ for sums, differences and products of floats, which are faster than
-//! fractions.
+//! Exact numbers m·2ᵉ, which are faster than fractions.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Sub};
@@ -46,7 +45,7 @@ impl Dyadic {
         }
     }
 
-    /// Returns the significands of both numbers for one power of two, and its exponent.
+    /// Returns n, m and e for numbers n·2ᵉ and m·2ᵉ.
     fn aligned(self, other: Self) -> (BigInt, BigInt, i32) {
         if self.significand.is_zero() || other.significand.is_zero() {
             let exponent = if self.significand.is_zero() { other.exponent } else { self.exponent };

@@ -1,9 +1,6 @@
-//! Compares the elementary functions with fixed-point numbers of 700 bits, within their error
-//! bounds.
+//! Compares the elementary functions with fixed-point numbers of 700 bits.
 //!
-//! Taylor series are summed until a term is 0. Each of at most 2000 divisions errs by less than a
-//! unit of the last bit. The remainder is below the last term as soon as terms halve. All errors
-//! together are below 2⁻⁶⁰⁰.
+//! Taylor series are summed until a term is 0. All errors together are below 2⁻⁶⁰⁰.
 
 use std::vec::Vec;
 
@@ -18,7 +15,7 @@ fn one() -> BigInt {
     BigInt::from(1) << BITS
 }
 
-/// Converts a number exactly. The number's magnitude must be 0 or at least 2⁻⁵⁹⁰.
+/// Converts a number exactly. The magnitude must be 0 or at least 2⁻⁵⁹⁰.
 fn fixed(x: Dd) -> BigInt {
     let part = |x: f64| {
         let (bits, sign) = (x.to_bits(), if x < 0.0 { -1 } else { 1 });
@@ -29,7 +26,7 @@ fn fixed(x: Dd) -> BigInt {
     part(x.high()) + part(x.low())
 }
 
-/// Returns the sum of terms from `first` on. Each term is the term before it, times y, divided by
+/// Returns the sum of terms from `first` on. Each term is the previous term, times y, divided by
 /// the next `step` numbers.
 fn series(first: BigInt, mut n: u32, step: u32, y: &BigInt) -> BigInt {
     let (mut term, mut sum) = (first, BigInt::zero());
@@ -68,7 +65,7 @@ fn pi() -> BigInt {
     (arctangent(5) * 4 - arctangent(239)) * 4
 }
 
-/// Asserts |computed − exact| ≤ count·u²·|exact| + 2⁻ᵏ, where k is `least` and u = 2⁻⁵³.
+/// Asserts |computed − exact| ≤ count·u²·|exact| + 2ᵏ, where k = −`least` and u = 2⁻⁵³.
 #[track_caller]
 fn assert_within(computed: Dd, exact: &BigInt, count: u32, least: usize, x: Dd) {
     let error = (fixed(computed) - exact).abs();
@@ -76,8 +73,7 @@ fn assert_within(computed: Dd, exact: &BigInt, count: u32, least: usize, x: Dd) 
     assert!(error <= bound, "{x:?}: {computed:?}");
 }
 
-/// Returns numbers of magnitude 2⁻²⁰ to 2ᵐ with m = `most`, of both signs, some near multiples of
-/// `period`.
+/// Returns numbers of magnitude 2⁻²⁰ to 2ᵐ with m = `most`, some near multiples of `period`.
 fn arguments(most: i32, period: f64) -> Vec<Dd> {
     let mut state = 20_261_128_u64;
     let mut unit = || {

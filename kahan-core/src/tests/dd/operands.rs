@@ -1,4 +1,4 @@
-//! Difficult operands from a seed: ties, gaps between the parts, few bits, all bits, cancellation.
+//! Random operands of difficult kinds: ties, gaps between the parts, few bits, cancellation.
 
 use crate::Dd;
 
@@ -25,8 +25,7 @@ impl Operands {
         least + self.below((most - least + 1) as u64) as i32
     }
 
-    /// Returns 52 bits after the leading bit: random bits, few bits, or bits of a number near a
-    /// power of two.
+    /// Returns the 52 bits after the leading bit.
     fn fraction(&mut self) -> u64 {
         const ALL: u64 = (1 << 52) - 1;
         match self.below(8) {
@@ -43,13 +42,12 @@ impl Operands {
         f64::from_bits(sign | ((exponent + 1023) as u64) << 52 | self.fraction())
     }
 
-    /// Returns a number whose high part has this exponent, or after rounding the next exponent.
+    /// Returns a number whose high part has this exponent, before rounding.
     pub(super) fn number(&mut self, exponent: i32) -> Dd {
         let high = self.float(exponent);
         let gap = match self.below(8) {
             0 => return Dd::from(high),
-            // The magnitude |low| is between a quarter and a half of a unit in the last place of
-            // `high`.
+            // The low part is between a quarter and a half of a unit in the last place of `high`.
             1..=5 => 54,
             6 => 53 + self.between(1, 8),
             _ => 53 + self.between(1, 60),
@@ -58,8 +56,7 @@ impl Operands {
         if exponent - gap < -1022 { Dd::from(high) } else { Dd::new(high, self.float(exponent - gap)) }
     }
 
-    /// Returns a number whose exponent is within `reach` of `exponent`, the exponent of x. In a
-    /// sum, the number often cancels x partly.
+    /// Returns a number of an exponent within `reach` of `exponent`, the exponent of x.
     pub(super) fn partner(&mut self, x: Dd, exponent: i32, reach: i32) -> Dd {
         let nudge = self.between(-3, 3) as f64;
         let unit = f64::EPSILON * x.high();

@@ -34,8 +34,7 @@ fn what_is_not_finite_is_what_floats_say() {
             let pairs =
                 [(x + y, a + b), (x - y, a - b), (x * y, a * b), (x / y, a / b), (x.recip(), 1.0 / a)];
             for (result, float) in pairs {
-                // The result is the float nearest to the exact result. Subnormal results may be
-                // rounded twice.
+                // The result is the nearest float. Subnormal results may be rounded twice.
                 let is_near = is_same(result.high(), float)
                     || float.is_subnormal() && (result.high() - float).abs() <= f64::from_bits(1);
                 assert!(is_near, "{a:e} {b:e}: {:e}, not {float:e}", result.high());
@@ -45,8 +44,7 @@ fn what_is_not_finite_is_what_floats_say() {
             assert!(is_same(x.multiply_add(y, Dd::one()).high(), (x * y + Dd::one()).high()), "{a:e} {b:e}");
             assert_eq!(x.partial_cmp(&y), a.partial_cmp(&b));
         }
-        // The exact root of the largest float is near a tie; therefore `high` may differ by one
-        // unit.
+        // The root of the largest float is near a tie; therefore `high` may differ by one unit.
         #[cfg(feature = "std")]
         assert!({
             let (root, float) = (Dd::from(a).sqrt().high(), a.sqrt());
@@ -66,7 +64,6 @@ fn a_sum_near_the_largest_number_has_its_low_part() {
     let below = Dd::new(f64::MAX, -3.0 * half_place);
     assert_eq!(Dd::from(f64::MAX) - Dd::from(3.0 * half_place), below);
     assert_eq!(below + Dd::from(3.0 * half_place), Dd::from(f64::MAX));
-    // An overflowing product gives infinity, even if the exact sum is finite.
     let big = Dd::from(1e200);
     assert_eq!(big.multiply_add(big, Dd::one()), Dd::from(f64::INFINITY));
     let two = Dd::from(2.0);

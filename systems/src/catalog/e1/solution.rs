@@ -6,8 +6,8 @@ use kahan_core::{Scalar, vector};
 use super::E1;
 use crate::solution::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
-/// An orbit of the map of E1 (Hone and Petrera, Theorem 3, i = 1), exact over big rationals. With
-/// N = n + τ and β = Ĥ = y/x, where β, γ and τ are constants, the point after n steps is
+/// An orbit of the map of E1 (Hone and Petrera, Theorem 3, i = 1), exact over big rationals. With N
+/// = n + τ and β = Ĥ = y/x, where β, γ and τ are constants, the point after n steps is
 ///
 ///   x = 1/(2εN), y = β/(2εN), z = 2γεN − (β²/ε + γε)/(2N).
 ///

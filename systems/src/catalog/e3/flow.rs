@@ -11,7 +11,7 @@ use crate::special::Real;
 ///   x = λ cos θ sech λT, y = λ sin θ sech λT, z = λ tanh λT.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// The time shift α.
+    /// The time shift α in T = t + α.
     pub alpha: T,
     /// The constant λ = √(x² + y² + z²) > 0. The integral K is λ²/2.
     pub lambda: T,
@@ -20,8 +20,7 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if x = y = 0, where the point is
-    /// fixed.
+    /// Returns the trajectory through `point` at t = 0. Fails at the fixed points x = y = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
@@ -31,7 +30,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { alpha: (z / radius_square.sqrt()).asinh() / lambda, theta: y.atan2(&x), lambda })
     }
 
-    /// Returns the point at time t, which may be any real number.
+    /// Returns the point at any real time t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, theta } = self;
         let phase = *lambda * (*t + *alpha);

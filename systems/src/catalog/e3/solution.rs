@@ -14,34 +14,32 @@ use crate::special::Real;
 /// * on the outer branch, |εz| > 1 (not in the paper): (x, y) = (−1)ⁿ (cos θ, sin θ) cosh δ/(ε sinh
 ///   T), z = coth δ coth T/ε, where the integral K̂ is coth² δ/(2ε²).
 ///
-/// On both branches the integral Ĥ is tan θ, and δ has the sign of ε. In `f64` the error of the
-/// point after n steps is at most 4 ulp of the point's norm, multiplied by the condition of the
-/// formula, which is (1 + |T|) max(1, |ε| norm).
+/// On both branches the integral Ĥ is tan θ, and δ has the sign of ε. In `f64` the error is at most
+/// 4 ulp of the point's norm, multiplied by the condition (1 + |T|) max(1, |ε| norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// The parameter ε, which is half the time step.
+    /// Half the time step, ε.
     pub eps: T,
-    /// The constant δ. A step increases T by 2δ.
+    /// The constant δ in T = 2δn + κ.
     pub delta: T,
-    /// The constant κ, which is the value of T at n = 0.
+    /// The constant κ in T = 2δn + κ.
     pub kappa: T,
     /// The angle θ of the vector (x, y) or of its negative.
     pub theta: T,
-    /// The branch of the solution. On the inner branch |εz| < 1, and on the outer branch |εz| > 1.
+    /// The branch: inner if |εz| < 1, outer if |εz| > 1.
     pub branch: Branch,
 }
 
 impl<T: Real> Solution<T> {
     /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if x² + y² = 0 (a fixed point)
-    /// or if ε²z² = 1. For εz = 1 the step would lead to the fixed point (0, 0, 1/ε); for εz = −1,
-    /// det A = 0.
+    /// or if ε²z² = 1 (det A = 0, or the next point is fixed).
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
         require(!eps.is_zero(), "eps != 0")?;
         require(radius_square.is_positive(), "x^2 + y^2 > 0")?;
         let scaled = *eps * z;
-        // Compute 1 − ε²z² without cancellation.
+        // This is 1 − ε²z² without cancellation.
         let inner = (T::one() - scaled) * (T::one() + scaled);
         require(!inner.is_zero(), "eps^2 z^2 != 1")?;
         let width = inner.abs().sqrt();
@@ -73,8 +71,7 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps; n may be negative. The point is not finite at a pole, where
-    /// T = 0 on the outer branch.
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, theta, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

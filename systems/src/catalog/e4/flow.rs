@@ -6,16 +6,16 @@ use super::normal_form::{NormalForm, Symmetry};
 use crate::solution::{OutOfDomain, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
-/// A trajectory of E4 (Hone and Petrera, Table 5, i = 4). With T = t + α, and with sn, cn and dn
-/// taken at λT for the modulus k, the point at time t is
+/// A trajectory of E4 (Hone and Petrera, Table 5, i = 4). With T = t + α, and the functions sn, cn
+/// and dn at λT for the modulus k, the point at time t is
 ///
 ///   x = (λ/2)(dn + k cn), y = (λ/2)(dn − k cn), z = kλ sn,
 ///
-/// The formula holds up to the field's symmetries, which change signs of x and y, or map (x, y, z)
-/// to (y, x, −z). If xy > 0, the integrals are H = λ²(1 − k²)/4 and K = λ²(1 + k²)/4.
+/// The field's symmetries, which change signs of x and y or map (x, y, z) to (y, x, −z), give the
+/// other trajectories. If xy > 0, the integrals are H = λ²(1 − k²)/4 and K = λ²(1 + k²)/4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// The time shift α.
+    /// The time shift α in T = t + α.
     pub alpha: T,
     /// The rate λ > 0, for which λ² = (|x| + |y|)² + z².
     pub lambda: T,
@@ -26,8 +26,7 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if x = y = 0, where the point is
-    /// fixed.
+    /// Returns the trajectory through `point` at t = 0. Fails at the fixed points x = y = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
         let (NormalForm { sum, difference, height, product }, symmetry) = NormalForm::same_signs(point);
@@ -36,8 +35,7 @@ impl<T: Real> FlowSolution<T> {
         let lambda = large.sqrt();
         // With s = x + y and d = x − y, k² = (d² + z²)/(s² + z²) and 1 − k² = 4xy/(s² + z²).
         let modulus = Modulus::from_squares(&(small / large), &(T::from_int(4) * product / large));
-        // With d = x − y, the values (sn, cn) at t = 0 are (z, d)/(kλ). If k = 0, the point is
-        // fixed: x = y and z = 0.
+        // With d = x − y, (sn, cn) = (z, d)/(kλ) at t = 0. If k = 0, the point is fixed.
         let alpha = if small.is_zero() {
             T::zero()
         } else {
@@ -47,7 +45,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { alpha, lambda, modulus, symmetry })
     }
 
-    /// Returns the point at time t, which may be any real number.
+    /// Returns the point at any real time t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, modulus, symmetry } = self;
         let Jacobi { sn, cn, dn } = jacobi(&(*lambda * (*t + *alpha)), modulus);

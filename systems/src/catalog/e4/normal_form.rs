@@ -1,14 +1,12 @@
-//! The symmetries x → −x, y → −y and (x, y, z) → (y, x, −z) of E4 and its map. The symmetries map
-//! every point to a quarter of space where the elliptic functions of s = x + y and d = x − y are
-//! real.
+//! The symmetries x → −x, y → −y and (x, y, z) → (y, x, −z) of E4 and its map. They map every point
+//! to a quarter of space where the elliptic functions of the solution are real.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
 use crate::special::Real;
 
-/// A point as s = x + y, d = x − y, z and |xy|. A [`Symmetry`] has given x and y the required
-/// signs.
+/// A point as s = x + y, d = x − y, z and |xy|, after a [`Symmetry`] has been applied.
 pub(super) struct NormalForm<T> {
     pub(super) sum: T,
     pub(super) difference: T,
@@ -23,14 +21,12 @@ pub struct Symmetry {
     pub flip_x: bool,
     /// Whether y changes its sign.
     pub flip_y: bool,
-    /// Whether (x, y, z) becomes (y, x, −z) before the signs change. The exchange is needed if x =
-    /// 0.
+    /// Whether (x, y, z) becomes (y, x, −z) before the signs change.
     pub swap: bool,
 }
 
 impl Symmetry {
-    /// Returns the image under this symmetry of the point with x + y = `sum`, x − y = `difference`
-    /// and z = `height`.
+    /// Returns the image of the point with x + y = `sum`, x − y = `difference` and z = `height`.
     pub(super) fn point<T: Real>(&self, sum: T, difference: T, height: T) -> SVector<T, 3> {
         let x = (sum + difference) * T::half();
         let y = (sum - difference) * T::half();
@@ -53,9 +49,8 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// Maps a point to one whose coordinates x and y have the signs that `wanted` returns for z,
-    /// where `true` means negative. If one of the two coordinates is zero, it becomes y, because at
-    /// modulus 1 the curve contains no point with x = 0.
+    /// Maps a point to one whose x and y are negative if `wanted` returns `true` for z. If x is
+    /// zero, x and y are exchanged, because at modulus 1 the curve contains no point with x = 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();
@@ -67,8 +62,7 @@ impl<T: Real> NormalForm<T> {
         let second = if flip_second { -second } else { second };
         let form =
             Self { sum: first + second, difference: first - second, height, product: (first * second).abs() };
-        // The signs are stored for the original coordinates. Before a swap, the first coordinate
-        // was y.
+        // The signs are stored for the original coordinates.
         let (flip_x, flip_y) = if swap { (flip_second, flip_first) } else { (flip_first, flip_second) };
         (form, Symmetry { flip_x, flip_y, swap })
     }

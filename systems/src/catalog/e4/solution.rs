@@ -14,30 +14,28 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 /// * on the outer branch, |εz| > 1 (not in the paper; δ and κ are shifted by iK′): s = (−1)ⁿ cn
 ///   v/(ε dn δ sn v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
 ///
-/// Both formulas hold up to the map's symmetries, which change signs of x and y, or map (x, y, z)
-/// to (y, x, −z). The formula of the inner branch has xy > 0, that of the outer branch xy < 0. If
-/// xy = 0, k is 1 and the functions are hyperbolic. Only orbits that contain a fixed point (0, 0,
-/// z) or a point with |εz| = 1 are excluded.
+/// The map's symmetries, which change signs of x and y or map (x, y, z) to (y, x, −z), give the
+/// other orbits. The formula has xy > 0 on the inner branch, and xy < 0 on the outer branch. If
+/// xy = 0, k is 1 and the functions are hyperbolic. Only orbits with a fixed point (0, 0, z) or a
+/// point with |εz| = 1 are excluded.
 ///
-/// In `f64` the error of the point after n steps is at most 6 ulp of the point's norm, multiplied
-/// by the condition of the formula, which is (1 + |v|) max(1, |ε| norm). On the inner branch with
-/// xy > 0, the integrals are
+/// In `f64` the error is at most 6 ulp of the point's norm, multiplied by the condition (1 + |v|)
+/// max(1, |ε| norm). On the inner branch with xy > 0, the integrals are
 ///
 /// Ĥ = (1 − k²) sn² δ/(2ε²[2 − (1 + k²) sn² δ]), K̂ = (1/ε²)(1/2 − cn² δ dn² δ/(cn² δ + dn² δ)).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// The parameter ε, which is half the time step.
+    /// Half the time step, ε.
     pub eps: T,
-    /// The constant δ. A step increases v by 2δ. The constant δ has the sign of ε, and |δ| is below
-    /// the quarter period K(k).
+    /// The constant δ in v = 2δn + κ, which has the sign of ε, with |δ| below the quarter period.
     pub delta: T,
-    /// The constant κ, which is the value of v at n = 0.
+    /// The constant κ in v = 2δn + κ.
     pub kappa: T,
     /// The modulus k, where 0 ≤ k ≤ 1.
     pub modulus: Modulus<T>,
     /// The symmetry that maps the point of the formula to the point of the orbit.
     pub symmetry: Symmetry,
-    /// The branch of the solution. On the inner branch |εz| < 1, and on the outer branch |εz| > 1.
+    /// The branch: inner if |εz| < 1, outer if |εz| > 1.
     pub branch: Branch,
     /// The values of sn, cn and dn at δ, computed algebraically.
     advance: Jacobi<T>,
@@ -45,8 +43,7 @@ pub struct Solution<T> {
 
 impl<T: Real> Solution<T> {
     /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if x² + y² = 0 (a fixed point)
-    /// or if ε²z² = 1. In the last case det A = 0 for one sign of ε, or the step leads to a fixed
-    /// point.
+    /// or if ε²z² = 1 (det A = 0, or the next point is fixed).
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         require(!eps.is_zero(), "eps != 0")?;
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
@@ -94,8 +91,8 @@ impl<T: Real> Solution<T> {
             cn: over(width, narrow).abs(),
             dn: over(width, wide).abs(),
         };
-        // With s = x + y, sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)) and cn κ = ε s dn δ sn
-        // κ.
+        // sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)) and cn κ = ε s dn δ sn κ for s = x +
+        // y.
         let sn = (wide / sum).sqrt() / form.height;
         let cn = *eps * form.sum * advance.dn * sn;
         let kappa = modulus.inverse(&sn, &cn);
@@ -103,8 +100,7 @@ impl<T: Real> Solution<T> {
         Self { eps: *eps, delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
     }
 
-    /// Returns the point after n steps; n may be negative. The point is not finite at a pole, where
-    /// sn v = 0 on the outer branch.
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
         let k = modulus.k;
@@ -126,8 +122,7 @@ impl<T: Real> Solution<T> {
     }
 }
 
-/// Positive expressions from which all parameters of an orbit are computed. In the fields, s = x +
-/// y and d = x − y.
+/// Positive expressions from which all parameters of an orbit are computed.
 struct Squares<T> {
     /// The value 1 + ε²s² with s = x + y.
     sum: T,

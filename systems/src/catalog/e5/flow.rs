@@ -12,7 +12,7 @@ use crate::special::Real;
 ///   x = sλ sech λT, y = −λ tanh λT, z = s(μ cosh λT + λ sech λT).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// The time shift α.
+    /// The time shift α in T = t + α.
     pub alpha: T,
     /// The constant λ = √(x² + y²) > 0. The integral H is λ²/2.
     pub lambda: T,
@@ -23,8 +23,7 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if x = 0, because solutions in this
-    /// invariant plane have another form.
+    /// Returns the trajectory through `point` at t = 0. Fails in the invariant plane x = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
@@ -36,7 +35,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { alpha: phase / lambda, lambda, mu, sign })
     }
 
-    /// Returns the point at time t, which may be any real number.
+    /// Returns the point at any real time t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, mu, sign } = self;
         let phase = *lambda * (*t + *alpha);

@@ -15,23 +15,21 @@ use crate::special::Real;
 ///   coth T/ε, z = s(−1)ⁿ[μ sinh T + (1/ε + μ cosh δ) cosh δ/sinh T], with Ĥ = coth² δ/(2ε²), K̂ =
 ///   μ cosh δ/ε + coth² δ/ε².
 ///
-/// The constant δ has the sign of ε. In `f64` the error of the point after n steps is at most 4 ulp
-/// of the point's norm, multiplied by the condition of the formula, which is (1 + |T|) max(1, |ε|
-/// norm).
+/// The constant δ has the sign of ε. In `f64` the error is at most 4 ulp of the point's norm,
+/// multiplied by the condition (1 + |T|) max(1, |ε| norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// The parameter ε, which is half the time step.
+    /// Half the time step, ε.
     pub eps: T,
-    /// The constant δ. A step increases T by 2δ.
+    /// The constant δ in T = 2δn + κ.
     pub delta: T,
-    /// The constant κ, which is the value of T at n = 0.
+    /// The constant κ in T = 2δn + κ.
     pub kappa: T,
     /// The constant μ, which determines the integral K̂.
     pub mu: T,
-    /// The sign s = ±1. On the inner branch it is the sign of x. Theorem 3 has s = 1, but (x, y, z)
-    /// → (−x, y, −z) is a symmetry.
+    /// The sign s = ±1, which on the inner branch is the sign of x. Theorem 3 has s = 1.
     pub sign: T,
-    /// The branch of the solution. On the inner branch |εy| < 1, and on the outer branch |εy| > 1.
+    /// The branch: inner if |εy| < 1, outer if |εy| > 1.
     pub branch: Branch,
 }
 
@@ -50,7 +48,7 @@ impl<T: Real> Solution<T> {
         let stretched = (T::one() + eps.square() * x.square()).sqrt();
         let eps = *eps;
         Ok(if inner.is_positive() {
-            // Use sinh²δ = ε²(x² + y²)/(1 − ε²y²) and sinh²κ = y²(1 + ε²x²)/(x²(1 − ε²y²)).
+            // sinh²δ = ε²(x² + y²)/(1 − ε²y²), sinh²κ = y²(1 + ε²x²)/(x²(1 − ε²y²))
             let sine_delta = eps * norm / width;
             let kappa = -(y * stretched / (x.abs() * width)).asinh();
             let sign = x.sign();
@@ -59,8 +57,7 @@ impl<T: Real> Solution<T> {
             let mu = sign * (z - x) * cosine / (cosine.square() + sine_delta.square());
             Self { delta: sine_delta.asinh(), kappa, mu, sign, branch: Branch::Inner, eps }
         } else {
-            // Use sinh²δ = (1 + ε²x²)/(ε²y² − 1), cosh²δ = ε²(x² + y²)/(ε²y² − 1) and sinh²κ = (x²
-            // + y²)/(x²(ε²y² − 1)).
+            // sinh²δ = (1 + ε²x²)/w, cosh²δ = ε²(x² + y²)/w, sinh²κ = (x² + y²)/(x²w), w = ε²y² − 1
             let cosine_delta_square = (eps * norm / width).square();
             let sine_kappa = -(y.sign() * norm / (x.abs() * width));
             let sign = (x * eps * sine_kappa).sign();
@@ -76,8 +73,7 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps; n may be negative. The point is not finite at a pole, where
-    /// T = 0 on the outer branch.
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, mu, sign, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

@@ -1,7 +1,5 @@
-//! Orbits and trajectories of E6, which is E4 in other coordinates. In the coordinates (x − z, x +
-//! z, y), E6 is the Euler top with α = (1, −3, 1). With (X − Y, X + Y, Z) = (√3 y, √3 (x − z), x +
-//! z), the map of E6 becomes that of E4 at −ε. The code uses −(x + z) as third coordinate and keeps
-//! ε. It may do so because (x, ε) → (−x, −ε) is a symmetry of homogeneous fields.
+//! Orbits and trajectories of E6, which in the coordinates (x − z, x + z, y) is the Euler top with
+//! α = (1, −3, 1).
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -10,9 +8,8 @@ use crate::euler;
 use crate::solution::OutOfDomain;
 use crate::special::Real;
 
-/// An orbit of the map of E6 by Jacobi's elliptic functions. The paper only states that it follows
-/// from that of E4. In `f64` the error of the point after n steps is at most 6 ulp of the point's
-/// norm, multiplied by the condition that [`e4::Solution`](crate::e4::Solution) gives.
+/// An orbit of the map of E6 by Jacobi's elliptic functions. In `f64` the error is at most 6 ulp of
+/// the point's norm, multiplied by the condition of [`e4::Solution`](crate::e4::Solution).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// The orbit of the Euler top with α = (1, −3, 1), in the coordinates (x − z, x + z, y).
@@ -21,8 +18,7 @@ pub struct Solution<T> {
 
 impl<T: Real> Solution<T> {
     /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if (x, y, z) is a multiple of
-    /// (1, 0, 1), or if ε²(x + z)² = 1. For these points
-    /// [`e4::Solution::through`](crate::e4::Solution::through) fails, in the coordinates of E4.
+    /// (1, 0, 1), or if ε²(x + z)² = 1.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let top = euler::Solution::through(&coefficients(), &to_top(point), eps)?;
         Ok(Self { top })
@@ -34,8 +30,7 @@ impl<T: Real> Solution<T> {
     }
 }
 
-/// A trajectory of E6 by Jacobi's elliptic functions. Table 5 only states that it follows from that
-/// of E4.
+/// A trajectory of E6 by Jacobi's elliptic functions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The trajectory of the Euler top with α = (1, −3, 1), in the coordinates (x − z, x + z, y).
@@ -43,13 +38,13 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails for multiples of (1, 0, 1), which are
-    /// fixed points.
+    /// Returns the trajectory through `point` at t = 0. Fails at fixed points, multiples of (1, 0,
+    /// 1).
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         Ok(Self { top: euler::FlowSolution::through(&coefficients(), &to_top(point))? })
     }
 
-    /// Returns the point at time t, which may be any real number.
+    /// Returns the point at any real time t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         from_top(&self.top.at(t))
     }

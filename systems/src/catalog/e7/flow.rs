@@ -10,16 +10,16 @@ use crate::special::Real;
 ///
 ///   x = 1/T, y = β|T|^(−ξ), z = T(γ − β²|T|^(−2ξ)).
 ///
-/// The formula of the paper requires T > 0. Absolute values extend it to x < 0.
+/// The formula of the paper requires T > 0. Absolute values extend the formula to x < 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The parameter ξ of the system.
     pub xi: T,
     /// The time shift α = 1/x₀, where x₀ is x at t = 0.
     pub alpha: T,
-    /// The constant β, which is the value of the integral H = y|x|^(−ξ).
+    /// The value β of the integral H = y|x|^(−ξ).
     pub beta: T,
-    /// The constant γ, which is the value of the integral K = xz + y².
+    /// The value γ of the integral K = xz + y².
     pub gamma: T,
 }
 
@@ -36,15 +36,14 @@ impl<T: Real> FlowSolution<T> {
         })
     }
 
-    /// Returns the point at time t. At the pole t = −α and beyond it, the point is NaN.
+    /// Returns the point at time t. At the pole t = −α and beyond, the point is NaN.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { xi, alpha, beta, gamma } = self;
         let time = *t + *alpha;
-        // The variable `size` becomes negative beyond the pole, where most powers are undefined.
         let size = time * alpha.sign();
         let y = *beta * size.power_real(&-*xi);
         let x = T::one() / time;
-        // Some exponents allow negative bases, so the result beyond the pole must be set to NaN.
+        // Some exponents allow negative bases; therefore the result beyond the pole is set to NaN.
         let defined = if size.is_positive() { T::one() } else { T::zero() / T::zero() };
         vector![x * defined, y * defined, time * (*gamma - y.square()) * defined]
     }

@@ -12,15 +12,14 @@ fn level<T: Real>(x: &T, eps: &T) -> T {
     T::one() / (T::from_int(2) * *eps * *x)
 }
 
-/// Returns σ = (ξ − 1)/2, with which Γ(u + ξ/2)/Γ(u + 1 − ξ/2) is a centred ratio of Gamma
-/// functions.
+/// Returns σ = (ξ − 1)/2, for which Γ(u + ξ/2)/Γ(u + 1 − ξ/2) = Γ(u + ½ + σ)/Γ(u + ½ − σ).
 fn sigma<T: Real>(xi: &T) -> T {
     (*xi - T::one()) * T::half()
 }
 
 /// Returns Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of the map of E7
-/// (Hone and Petrera, Section 6.1). It equals y/x for ξ = 1, and 4ε²xy/(1 − ε²x²) for ξ = −1. It is
-/// NaN for x = 0, and zero or infinite at poles of Γ.
+/// (Hone and Petrera, Section 6.1). Ĥ₇ equals y/x for ξ = 1, and 4ε²xy/(1 − ε²x²) for ξ = −1. The
+/// result is NaN for x = 0, and zero or infinite at poles of Γ.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -37,9 +36,8 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
     point[1] / point[0] * ratio
 }
 
-/// Returns K̂₇, the second integral of the map of E7, for ξ > 0. The paper does not state it as a
-/// function of the point (erratum B7). With N = 1/(2εx), Y_0 = y/x and Y_{j+1} = Y_j
-/// (N+j+1−ξ/2)/(N+j+ξ/2), the integral is given by
+/// Returns K̂₇, the second integral of the map of E7, for ξ > 0. With N = 1/(2εx), Y_0 = y/x and
+/// Y_{j+1} = Y_j (N+j+1−ξ/2)/(N+j+ξ/2), the integral is given by
 ///
 /// ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
 ///

@@ -11,11 +11,11 @@ use crate::solution::{OutOfDomain, integer, require};
 ///   Y_{n+1} = Y_n (N + 1 − ξ/2)/(N + ξ/2), (N − 1/2) Z_{n+1} = (N + 3/2) Z_n + 2ξ Y_n Y_{n+1}.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recurrence<T> {
-    /// The parameter ε, which is half the time step.
+    /// Half the time step, ε.
     pub eps: T,
     /// The parameter ξ of the system.
     pub xi: T,
-    /// The shift τ = 1/(2εx₀) of n, where x₀ is x at n = 0.
+    /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
     /// The value Y₀ = y₀/x₀ at n = 0.
     pub slope_y: T,
@@ -33,14 +33,14 @@ impl<T: Scalar> Recurrence<T> {
         Ok(Self { eps: eps.clone(), xi: xi.clone(), tau, slope_y: y / x.clone(), slope_z: z / x })
     }
 
-    /// Returns the point after n steps; n may be negative. The recurrences take |n| steps. At a
-    /// pole on the way, exact scalars panic and floats become infinite or NaN.
+    /// Returns the point after n steps; n may be negative. The cost is |n| steps. At a pole on the
+    /// way, exact scalars panic and floats become infinite or NaN.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let half = T::one() / integer(2);
         let half_xi = self.xi.clone() * half.clone();
         let (mut y, mut z) = (self.slope_y.clone(), self.slope_z.clone());
         for j in if n < 0 { n..0 } else { 0..n } {
-            // Backward steps invert the recurrence. The last step comes first.
+            // Backward steps invert the recurrence, and the last step comes first.
             let index = if n < 0 { n - 1 - j } else { j };
             let shifted = integer::<T>(index) + self.tau.clone();
             let top = shifted.clone() + T::one() - half_xi.clone();

@@ -12,17 +12,16 @@ use crate::special::{Real, centered_gamma_ratio};
 ///   x = 1/(2εN), y = τβ g_n G₀/(2εN),
 ///   z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN).
 ///
-/// The values of the integrals are not β and γ; [`integral_h`](super::integral_h) and
-/// [`integral_k`](super::integral_k) return them. In `f64` the error is at most 16(1 + |n|) ulp of
-/// the point's norm, multiplied by max(1, |ε| norm). [`Recurrence`](super::Recurrence) computes
-/// orbits without Γ.
+/// In `f64` the error is at most 16(1 + |n|) ulp of the point's norm, multiplied by max(1, |ε|
+/// norm). The integrals are [`integral_h`](super::integral_h) and
+/// [`integral_k`](super::integral_k). [`Recurrence`](super::Recurrence) computes orbits without Γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// The parameter ε, which is half the time step.
+    /// Half the time step, ε.
     pub eps: T,
     /// The parameter ξ of the system.
     pub xi: T,
-    /// The shift τ = 1/(2εx₀) of n, where x₀ is x at n = 0.
+    /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
     /// The constant β = 2εy₀, where y₀ is y at n = 0.
     pub beta: T,
@@ -39,8 +38,8 @@ impl<T: Real> Solution<T> {
         Ok(Self { tau, beta: double * y, gamma: double * z, xi: *xi, eps: *eps })
     }
 
-    /// Returns the point after n steps; n may be negative. A sum of |n| terms is computed. The
-    /// point is not finite at a pole.
+    /// Returns the point after n steps; n may be negative. The cost is a sum of |n| terms. At a
+    /// pole, the point is not finite.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, xi, tau, beta, gamma } = self;
         let shifted = T::from_int(n) + *tau;
@@ -52,8 +51,7 @@ impl<T: Real> Solution<T> {
         vector![x, y, x * square_less_one(shifted) * (first + second)]
     }
 
-    /// Returns the quotient Y/Y₀ of Y = y/x and its value at n = 0. `shifted` is N = n + τ. The
-    /// quotient is a product of two ratios of Γ.
+    /// Returns Y/Y₀ for Y = y/x and its value Y₀ at n = 0, as a product of two ratios of Γ.
     fn gamma_quotient(&self, shifted: &T) -> T {
         let sigma = (self.xi - T::one()) * T::half();
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)

@@ -12,8 +12,8 @@ use crate::special::Real;
 ///
 ///   x = 1/T, y = L/T, z = γT − L²/T, with H = x e^(−y/x) = ±e^(−β).
 ///
-/// The formula of the paper requires T > 0. Absolute values extend it to x < 0. The trajectory ends
-/// at the pole; beyond it, y and z are NaN.
+/// Absolute values extend the formula of the paper to x < 0. The trajectory ends at the pole;
+/// beyond the pole, y and z are NaN.
 pub type FlowSolution<T> = ReciprocalTrajectory<E8, T>;
 
 impl<T: Real> ReciprocalFlow<T> for E8 {

@@ -6,15 +6,14 @@ use crate::solution::{OutOfDomain, require, square_less_one};
 use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 
 /// Returns Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of the map of E8 (Hone and Petrera,
-/// Section 6.2). It is NaN for x = 0 and at poles of ψ.
+/// Section 6.2). The result is NaN for x = 0 and at poles of ψ.
 pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
     let level = T::one() / (T::from_int(2) * *eps * point[0]);
     point[1] / point[0] + digamma(&(level + T::half()))
 }
 
-/// Returns K̂₈, the second integral of the map of E8. The paper does not state it as a function of
-/// the point (erratum B7). With N = 1/(2εx), Y_0 = y/x and Y_{j+1} = Y_j − 1/(N+j+1/2), the
-/// integral is given by
+/// Returns K̂₈, the second integral of the map of E8. With N = 1/(2εx), Y_0 = y/x and Y_{j+1} = Y_j
+/// − 1/(N+j+1/2), the integral is given by
 ///
 /// ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
 ///

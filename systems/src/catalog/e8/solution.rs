@@ -16,9 +16,9 @@ use crate::special::{Real, digamma};
 /// norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// The parameter ε, which is half the time step.
+    /// Half the time step, ε.
     pub eps: T,
-    /// The shift τ = 1/(2εx₀) of n, where x₀ is x at n = 0.
+    /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
     /// The constant β = 2εy₀, where y₀ is y at n = 0.
     pub beta: T,
@@ -38,8 +38,8 @@ impl<T: Real> Solution<T> {
         Ok(Self { tau, beta: double * y, gamma: double * z, eps: *eps })
     }
 
-    /// Returns the point after n steps; n may be negative. A sum of |n| terms is computed. The
-    /// point is not finite at a pole.
+    /// Returns the point after n steps; n may be negative. The cost is a sum of |n| terms. At a
+    /// pole, the point is not finite.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, tau, beta, gamma } = self;
         let shifted = T::from_int(n) + *tau;
@@ -64,7 +64,7 @@ impl<T: Real> Solution<T> {
         range.fold(T::zero(), |sum, j| sum + sign / (T::from_int(j) + middle))
     }
 
-    /// Returns V_n. With M = j + τ and U_j = ψ(M+1/2) − ψ(τ+1/2), it is V_n = Σ_{j<n} {1+2βτ +
+    /// Returns V_n. With M = j + τ and U_j = ψ(M+1/2) − ψ(τ+1/2), V_n = Σ_{j<n} {1+2βτ +
     /// U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)). For n < 0, the sum over n ≤ j
     /// < 0 is subtracted.
     pub fn sum(&self, n: i64) -> T {

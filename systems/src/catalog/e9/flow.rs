@@ -7,12 +7,10 @@ use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 use crate::{e3, e4};
 
-/// A trajectory of E9 in closed form. For other values of ξ there is
-/// [`Quadrature`](super::Quadrature).
+/// A trajectory of E9 in closed form; see [`Quadrature`](super::Quadrature) for other ξ.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlowSolution<T> {
-    /// The case ξ = 0 (erratum B9). The coordinate y is constant, and x = λ sech λT, z = λ tanh λT
-    /// as for E3.
+    /// The case ξ = 0 (erratum B9): y is constant, and x = λ sech λT, z = λ tanh λT as for E3.
     Zero {
         /// The trajectory of the point (x, 0, z).
         plane: e3::FlowSolution<T>,
@@ -23,9 +21,9 @@ pub enum FlowSolution<T> {
     One(e3::FlowSolution<T>),
     /// The case ξ = −1, which is E4.
     MinusOne(e4::FlowSolution<T>),
-    /// The case ξ = 2 (erratum A9), which has elementary functions.
+    /// The case ξ = 2 (erratum A9), with elementary functions.
     Two(Elementary<T>),
-    /// The case ξ = 1/2. It is the trajectory for ξ = 2 through (y, x, z), at time t/2.
+    /// The case ξ = 1/2: the trajectory for ξ = 2 through (y, x, z), at time t/2.
     Half(Elementary<T>),
 }
 
@@ -33,15 +31,14 @@ pub enum FlowSolution<T> {
 ///
 ///   x = s/√w, y = c/w, z = ẇ/(2w),
 ///
-/// where s is the sign of x. The constants are c = H₉ = y/x², k = 2√(2K₉) = 2√(x² + y² + z²) and b
-/// with k²b² = c² + 1/k².
+/// where s is the sign of x, c = H₉ = y/x², k = 2√(2K₉) = 2√(x² + y² + z²) and k²b² = c² + 1/k².
 #[derive(Clone, Debug, PartialEq)]
 pub struct Elementary<T> {
     /// The constant k, which is twice the radius of the sphere.
     pub k: T,
     /// The constant b > 0, for which k²b² = c² + 1/k².
     pub b: T,
-    /// The constant c, which is the value of the integral H₉ = y x^(−2).
+    /// The value c of the integral H₉ = y x^(−2).
     pub c: T,
     /// The phase φ at t = 0.
     pub phase: T,
@@ -51,8 +48,8 @@ pub struct Elementary<T> {
 
 impl<T: Real> FlowSolution<T> {
     /// Returns the trajectory through `point` at t = 0. Fails unless ξ is 0, 1, −1, 2 or 1/2. Also
-    /// fails in the plane x = 0 for ξ = 0 and 2, in the plane y = 0 for ξ = 1/2, and on the line
-    /// x = y = 0 for ξ = ±1. Points there are fixed, or have trajectories of another form.
+    /// fails in the plane x = 0 for ξ = 0 and 2, in the plane y = 0 for ξ = 1/2, and on the line x
+    /// = y = 0 for ξ = ±1.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let two = T::from_int(2);
@@ -72,7 +69,7 @@ impl<T: Real> FlowSolution<T> {
         }
     }
 
-    /// Returns the point at time t, which may be any real number.
+    /// Returns the point at any real time t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         match self {
             Self::Zero { plane, y } => {
@@ -91,8 +88,7 @@ impl<T: Real> FlowSolution<T> {
 }
 
 impl<T: Real> Elementary<T> {
-    /// Returns the trajectory for ξ = 2 through `point` at t = 0. Fails if x = 0, because solutions
-    /// in this invariant plane have the form of E3's.
+    /// Returns the trajectory for ξ = 2 through `point` at t = 0. Fails if x = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
@@ -106,7 +102,7 @@ impl<T: Real> Elementary<T> {
         Ok(Self { k, b, c, phase, sign: x.sign() })
     }
 
-    /// Returns the point at time t, which may be any real number.
+    /// Returns the point at any real time t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { k, b, c, phase, sign } = self;
         let two = T::from_int(2);

@@ -1,4 +1,4 @@
-//! Trajectories of E9 for any ξ, whose time is an integral, with their spheres and fixed points.
+//! Trajectories of E9 for any ξ, with the time as an integral, and fixed points.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -12,9 +12,9 @@ pub fn sphere_radius<T: Real>(point: &SVector<T, 3>) -> T {
     (x.square() + y.square() + z.square()).sqrt()
 }
 
-/// Returns the fixed points of E9 on the sphere of radius r. The fixed points are (0, 0, ±r), and
-/// for ξ < 0 also the four points (±a√(−ξ), ±a, 0) with a²(1 − ξ) = r². For ξ = 0 every point (0,
-/// y, z) is fixed, but only (0, 0, ±r) are returned.
+/// Returns the fixed points (0, 0, ±r) of E9 on the sphere of radius r. For ξ < 0, also returns the
+/// four fixed points (±a√(−ξ), ±a, 0) with a²(1 − ξ) = r². For ξ = 0 every point (0, y, z) is
+/// fixed, but only (0, 0, ±r) are returned.
 pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
     let zero = T::zero;
     let mut points = vec![vector![zero(), zero(), *radius], vector![zero(), zero(), -*radius]];
@@ -29,20 +29,20 @@ pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
 }
 
 /// A trajectory of E9 for x > 0 and y > 0, by a quadrature (Hone and Petrera, Section 6.3 with
-/// erratum A8). With c = H₉ = y x^(−ξ) and r² = 2K₉ = x² + y² + z², it satisfies
+/// erratum A8). With c = H₉ = y x^(−ξ) and r² = 2K₉ = x² + y² + z², the equations are
 ///
 ///   dt = ∓dx/(x √(r² − x² − c²x^{2ξ})), y = c x^ξ, z = ±√(r² − x² − c²x^{2ξ}).
 ///
-/// The maps x → −x and y → −y are symmetries. For ξ > 0 the trajectory joins the fixed points (0,
-/// 0, ∓r), with one turning point z = 0 at the largest x. For ξ < 0 the trajectory is closed and
-/// has two turning points.
+/// For ξ > 0 the trajectory joins the fixed points (0, 0, ∓r), with one turning point z = 0 at the
+/// largest x. For ξ < 0 the trajectory is closed and has two turning points. Symmetries are x → −x
+/// and y → −y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadrature<T> {
     /// The parameter ξ of the system.
     pub xi: T,
     /// The radius r of the sphere.
     pub radius: T,
-    /// The constant c, which is the value of the integral H₉ = y x^(−ξ).
+    /// The value c of the integral H₉ = y x^(−ξ).
     pub c: T,
     /// The largest x on the trajectory, where z = 0.
     pub largest: T,
@@ -61,8 +61,8 @@ impl<T: Real> Quadrature<T> {
         let c = y * x.power_real(&-*xi);
         let turning = TurningFunction { xi, radius: &radius, c: &c };
         if xi.is_positive() {
-            // For x > 0, z² decreases as x grows, so its zero lies between the point's x and the
-            // radius r.
+            // For x > 0, z² decreases as x grows, and has a zero between the point's x and the
+            // radius.
             let largest = turning.zero(x, radius);
             return Ok(Self { xi: *xi, largest, smallest: None, radius, c });
         }
@@ -77,37 +77,33 @@ impl<T: Real> Quadrature<T> {
         Ok(Self { xi: *xi, largest, smallest: Some(smallest), radius, c })
     }
 
-    /// Returns the point with this x and with z ≥ 0. Beyond a turning point it is NaN.
+    /// Returns the point with this x and with z ≥ 0, or NaN beyond a turning point.
     pub fn point(&self, x: &T) -> SVector<T, 3> {
         let turning = TurningFunction { xi: &self.xi, radius: &self.radius, c: &self.c };
         let y = self.c * x.power_real(&self.xi);
         vector![*x, y, turning.height_square(x).sqrt()]
     }
 
-    /// Returns the time from the turning point with the largest x to this x, on the half with z >
-    /// 0, where x decreases. It is NaN beyond a turning point, and becomes infinite as x → 0 for
-    /// ξ > 0.
+    /// Returns the time from the turning point with the largest x to this x, for z > 0. The result
+    /// is NaN beyond a turning point, and becomes infinite as x → 0 for ξ > 0.
     ///
-    /// With x = x_max e^(−s²) the integrand is analytic, and `exp_m1` keeps the digits of z² near
-    /// the turning point. Near a fixed point for ξ < 0, z² is small on the whole trajectory. The
-    /// relative error is then about the rounding error of r² divided by z².
+    /// Near a fixed point for ξ < 0, z² is small on the whole trajectory. The relative error is
+    /// then about the rounding error of r² divided by z².
     pub fn time_from_largest(&self, x: &T) -> T {
         self.time_from(&self.largest, x, -T::one())
     }
 
-    /// Returns the period of a closed trajectory; `None` for ξ > 0, where trajectories are not
-    /// closed.
+    /// Returns the period of a closed trajectory, or `None` for ξ > 0.
     pub fn period(&self) -> Option<T> {
         let smallest = self.smallest.as_ref()?;
-        // Start each half at its own turning point, which avoids the singularity at the other
-        // turning point.
+        // Each half starts at its own turning point, which avoids the other singularity.
         let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))
     }
 
-    /// Returns the integral ∫ dx/(xz) from a turning point x* to x = x* e^(σS²). It is computed as
-    /// ∫₀^S 2s ds/z with z² = −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
+    /// Returns the integral ∫ dx/(xz) from a turning point x* to x = x* e^(σS²), computed as ∫₀^S
+    /// 2s ds/z with z² = −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
     fn time_from(&self, turning: &T, x: &T, sigma: T) -> T {
         let two = T::from_int(2);
         let end = (sigma * (*x / *turning).ln()).sqrt();

@@ -11,7 +11,7 @@ use crate::{e3, e4};
 /// An orbit of the map of E9 in closed form.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Solution<T> {
-    /// The case ξ = 0. The coordinate y is constant, and (x, 0, z) is on an orbit of the map of E3.
+    /// The case ξ = 0: y is constant, and (x, 0, z) is on an orbit of the map of E3.
     Zero {
         /// The orbit of the point (x, 0, z).
         plane: e3::Solution<T>,
@@ -25,8 +25,8 @@ pub enum Solution<T> {
 }
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails unless ξ is 0, 1 or −1. Also fails if
-    /// [`e3::Solution::through`] or [`e4::Solution::through`] does.
+    /// Returns the orbit through `point` at n = 0. Fails unless ξ is 0, 1 or −1, and if
+    /// [`e3::Solution::through`] or [`e4::Solution::through`] fails.
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         if xi.is_zero() {
             let [x, y, z] = (*point).into();

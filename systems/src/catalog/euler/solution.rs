@@ -1,7 +1,6 @@
 //! Orbits and trajectories of the Euler top, derived from those of E4. In the coordinates (x − y,
 //! x + y, z), E4 is the Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of
-//! variables. Permuting and scaling the axes therefore maps solutions of one top to solutions of
-//! another.
+//! variables, such as permuting and scaling the axes.
 
 use kahan_core::nalgebra::SVector;
 
@@ -10,9 +9,8 @@ use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
 /// The linear change of variables from an Euler top to E4, which permutes and scales the axes. With
-/// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cⱼcₖ/cᵢ = rᵢ. Then
-/// cᵢ² = rⱼrₖ, which is positive if all rᵢ have one sign. The permutation moves the axis whose α
-/// has another sign than the others to the third place.
+/// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cᵢ² = rⱼrₖ, which is
+/// positive if all rᵢ have one sign. The axis whose α alone has its sign becomes the third axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
     /// The axes of the top that become the first, second and third coordinate of E4.
@@ -23,7 +21,7 @@ pub struct Reduction<T> {
 
 impl<T: Real> Reduction<T> {
     /// Returns the change of variables for the coefficients α₁, α₂, α₃. Fails if a coefficient is
-    /// zero or if all have one sign, because no real change of variables maps such a top to E4.
+    /// zero or if all have one sign.
     pub fn of(coefficients: &[T; 3]) -> Result<Self, OutOfDomain> {
         let nonzero = coefficients.iter().all(|a| a.is_positive() || a.is_negative());
         require(nonzero, "a1, a2, a3 != 0")?;
@@ -59,9 +57,8 @@ impl<T: Real> Reduction<T> {
     }
 }
 
-/// An orbit of the Euler top's map, for coefficients that do not all have one sign. The formula is
-/// derived here (see Sections 2 and 5 of the paper). In `f64` the error of the point after n steps
-/// is at most 16 ulp of the point's norm, multiplied by the condition that [`e4::Solution`] gives.
+/// An orbit of the Euler top's map, for coefficients that do not all have one sign. In `f64` the
+/// error is at most 16 ulp of the point's norm, multiplied by the condition of [`e4::Solution`].
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -96,8 +93,7 @@ impl<T: Real> Solution<T> {
     }
 }
 
-/// A trajectory of the Euler top, for coefficients that do not all have one sign. The formula is
-/// derived here.
+/// A trajectory of the Euler top, for coefficients that do not all have one sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The change of variables from the top to E4.
@@ -115,7 +111,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { reduction, trajectory })
     }
 
-    /// Returns the point at time t, which may be any real number.
+    /// Returns the point at any real time t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         self.reduction.back_from_e4(&self.trajectory.at(t))
     }

@@ -1,7 +1,6 @@
-//! Real numbers of 256 bits, or 77 decimal digits. Every operation rounds once, to nearest. The
-//! crate `dashu-float` supplies arithmetic and correctly rounded elementary functions. [`Float256`]
-//! has a fixed precision, and can be used in Kahan maps and formulas. It never panics: if there is
-//! no finite real value, the result is undefined. There are no infinities and no signed zeros.
+//! Real numbers of 256 bits, or 77 decimal digits, for Kahan maps and formulas. The crate
+//! `dashu-float` supplies arithmetic and correctly rounded elementary functions. No operation
+//! panics: without a finite real value, the result is undefined.
 
 mod arithmetic;
 mod elementary;
@@ -39,13 +38,11 @@ pub use text::ParsePreciseError;
 #[derive(Clone, Copy)]
 pub struct Float256(Option<Number>);
 
-/// The number ±significand·2^exponent. The significand is odd; for the number zero, it and the
-/// exponent are 0.
+/// The number ±significand·2^exponent with an odd significand, or zero with exponent 0.
 #[derive(Clone, Copy, PartialEq)]
 struct Number {
     sign: Sign,
-    /// The 64-bit words of the significand, lowest first. Rounded results of the library may be a
-    /// few bits longer than `BITS`.
+    /// The 64-bit words of the significand, lowest first.
     words: [Word; BITS / Word::BITS as usize + 1],
     exponent: isize,
 }
@@ -87,7 +84,7 @@ impl Float256 {
         quotient(&integer(q.numer().to_signed_bytes_le()), &integer(q.denom().to_signed_bytes_le()))
     }
 
-    /// Returns the nearest `f64`; NaN if the value is undefined.
+    /// Returns the nearest `f64`, or NaN if the value is undefined.
     pub fn to_f64(&self) -> f64 {
         self.repr().map_or(f64::NAN, |repr| repr.to_f64().value())
     }
@@ -113,7 +110,7 @@ impl Float256 {
         let (sign, digits) = significand.as_sign_words();
         let mut words = [0; _];
         words[..digits.len()].copy_from_slice(digits);
-        // Zero has a unique representation, so equal numbers are equal as data.
+        // Zero has a unique representation; therefore equal numbers are equal as data.
         Self(Some(Number { sign, words, exponent: if significand.is_zero() { 0 } else { exponent } }))
     }
 }
@@ -129,7 +126,7 @@ fn quotient(p: &IBig, q: &IBig) -> Float256 {
         return Float256::from_repr(Repr::zero());
     }
     let (p_bits, q_bits) = (p.bit_len() as isize, q.bit_len() as isize);
-    // The quotient gets two extra bits, and a last bit that is 1 if there is a remainder. The
+    // The quotient gets two extra bits, and a last bit that is 1 if a remainder exists. The
     // division then rounds only once.
     let shift = (BITS as isize + 2 - (p_bits - q_bits)).max(0) as usize;
     let negative = p.sign() != q.sign();

@@ -62,8 +62,7 @@ impl Float256 {
         let (significand, exponent) = decimal.into_repr().into_parts();
         let text = significand.to_string();
         let (sign, figures) = text.strip_prefix('-').map_or(("", text.as_str()), |rest| ("-", rest));
-        // The number is d.ddd × 10^scale. If the base conversion dropped zeros at the end, they are
-        // added again.
+        // The number is d.ddd × 10^scale. Zeros that the base conversion dropped are added again.
         let scale = exponent + figures.len() as isize - 1;
         let figures = format!("{figures:0<digits$}");
         if !(-5..digits as isize).contains(&scale) {
@@ -81,7 +80,7 @@ impl Float256 {
     }
 }
 
-/// The number of significant digits is the format's precision, or 60 without one.
+/// The format's precision is the number of significant digits, by default 60.
 impl fmt::Display for Float256 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.to_digits(f.precision().unwrap_or(60)))

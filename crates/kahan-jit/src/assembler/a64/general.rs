@@ -2,8 +2,7 @@
 
 use super::Assembler;
 
-/// A general-purpose register, by number. Number 31 is the stack pointer in addresses, otherwise
-/// zero.
+/// A general-purpose register, by number. Number 31 is the stack pointer in addresses, else zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct GeneralRegister(u8);
 
@@ -28,8 +27,7 @@ impl GeneralRegister {
         Self(23),
         Self(24),
     ];
-    /// The registers among [`POINTERS`](Self::POINTERS) that must be saved for the caller, in
-    /// adjacent pairs.
+    /// The callee-saved registers among [`POINTERS`](Self::POINTERS), in adjacent pairs.
     pub(super) const SAVED: [Self; 6] = [Self(19), Self(20), Self(21), Self(22), Self(23), Self(24)];
     pub(crate) const STACK: Self = Self(31);
     /// Scratch register for offsets and addresses that do not fit into an instruction.
@@ -52,7 +50,6 @@ pub(super) enum Pair {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Label(usize);
 
-/// A forward jump whose target is not known yet.
 #[derive(Debug)]
 #[must_use]
 pub(crate) struct ForwardJump(usize);
@@ -62,7 +59,6 @@ const IF_ZERO: u32 = 0xb400_0000;
 const IF_NOT_ZERO: u32 = 0xb500_0000;
 const IF_BELOW: u32 = 0x5400_0003;
 const UNLESS_BELOW: u32 = 0x5400_0002;
-/// The opcode of b, an unconditional branch.
 const ALWAYS: u32 = 0x1400_0000;
 
 impl Assembler {
@@ -78,7 +74,7 @@ impl Assembler {
         self.word(0x8b00_0000 | from.number() << 16 | to.number() << 5 | to.number());
     }
 
-    /// Adds a 12-bit number without sign, which the instruction contains.
+    /// Adds an unsigned 12-bit number, which the instruction contains.
     pub(crate) fn add_immediate(&mut self, to: GeneralRegister, number: i32) {
         let number = u32::try_from(number).ok().filter(|number| *number < 1 << 12);
         let number = number.expect("the bytes of a register") << 10;
@@ -89,8 +85,8 @@ impl Assembler {
         self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
     }
 
-    /// Loads or stores `size` bytes at base + offset. The first of `words` encodes a 12-bit offset,
-    /// in units of `size` bytes. The second encodes a register that holds the offset.
+    /// Loads or stores `size` bytes at base + offset. Of `words`, the first encodes a 12-bit offset
+    /// in units of `size` bytes, and the second a register that holds the offset.
     pub(super) fn access(
         &mut self,
         words: [u32; 2],
@@ -105,7 +101,7 @@ impl Assembler {
         if offset.is_multiple_of(size) && offset / size < 1 << 12 {
             return self.word(near | (offset / size) << 10 | base.number() << 5 | register);
         }
-        // Writes movz and movk, which load the offset into a register.
+        // movz and movk load the offset into a register.
         self.word(0xd280_0000 | (offset & 0xffff) << 5 | GeneralRegister::BEYOND.number());
         if offset >> 16 != 0 {
             self.word(0xf2a0_0000 | (offset >> 16) << 5 | GeneralRegister::BEYOND.number());
@@ -128,8 +124,7 @@ impl Assembler {
         self.word(0x9000_0000 | GeneralRegister::BEYOND.number());
     }
 
-    /// Writes stp x29, x30 and mov x29, sp, which save the frame record on `bytes` bytes of the
-    /// stack.
+    /// Writes stp x29, x30 and mov x29, sp, which save the frame record in `bytes` stack bytes.
     pub(super) fn begin_frame(&mut self, bytes: u32) {
         let offset = (bytes / 8).wrapping_neg() & 0x7f;
         self.word(0xa980_7bfd | offset << 15);
@@ -187,7 +182,7 @@ impl Assembler {
         ForwardJump(self.jump(IF_ZERO | count.number(), IF_NOT_ZERO | count.number()))
     }
 
-    /// Decrements `count`, and jumps to the label if the decremented count is not zero.
+    /// Decrements `count`, and jumps to the label unless the result is zero.
     pub(crate) fn count_down(&mut self, count: GeneralRegister, Label(to): Label) {
         self.word(0xd100_0400 | count.number() << 5 | count.number());
         let place = self.jump(IF_NOT_ZERO | count.number(), IF_ZERO | count.number());
@@ -201,8 +196,8 @@ impl Assembler {
         set_target(&mut self.bytes, place, to);
     }
 
-    /// Writes a conditional jump, and returns the position of the instruction that holds its
-    /// target. In long code the opposite condition jumps over an unconditional branch.
+    /// Writes a conditional jump, and returns its position. In long code the opposite condition
+    /// jumps over an unconditional branch.
     fn jump(&mut self, condition: u32, opposite: u32) -> usize {
         const OVER_THE_NEXT: u32 = 2 << 5;
 
@@ -227,10 +222,8 @@ fn change(code: &mut [u8], place: usize, change: impl FnOnce(u32) -> u32) {
     *word = change(u32::from_le_bytes(*word)).to_le_bytes();
 }
 
-/// Writes the distance from `place` to the target into the branch instruction at `place`.
-///
-/// # Panics
-/// If the distance does not fit, which the limits on code length prevent.
+/// Writes the distance from `place` to the target into the branch instruction at `place`. Panics if
+/// the distance does not fit, which the limits on code length prevent.
 pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     change(code, place, |word| {
         let (bits, shift) = if word & 0xfc00_0000 == ALWAYS { (26, 0) } else { (19, 5) };
@@ -240,8 +233,7 @@ pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     });
 }
 
-/// Patches adrp with the distance in pages, and the load with the offset within the page. Code
-/// begins at a page boundary.
+/// Patches adrp with the distance in pages, and the load with the offset within the page.
 pub(super) fn refer_by_page(code: &mut [u8], place: usize, target: usize, size: usize) {
     let pages = ((target >> 12) as i64 - (place >> 12) as i64) as u32;
     change(code, place, |word| word | (pages & 3) << 29 | (pages >> 2 & 0x7_ffff) << 5);

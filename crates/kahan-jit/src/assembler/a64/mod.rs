@@ -1,10 +1,9 @@
 //! An assembler for 64-bit Arm.
 //!
-//! The assembler writes A64 instructions of 32 bits, on scalar floats and 128-bit Advanced SIMD
-//! registers (Arm Architecture Reference Manual for A-profile, C6 and C7). Arithmetic works on
-//! registers only; a memory operand is loaded first. Functions follow the C calling convention
-//! (Procedure Call Standard for the Arm 64-bit Architecture) and preserve the lower halves of v8 to
-//! v15. Functions never use x18, which some systems reserve.
+//! The assembler writes A64 instructions on scalar floats and 128-bit Advanced SIMD registers (Arm
+//! Architecture Reference Manual for A-profile, C6 and C7). Functions follow the C calling
+//! convention (Procedure Call Standard for the Arm 64-bit Architecture) and preserve the lower
+//! halves of v8 to v15. Functions never use x18, which some systems reserve.
 
 mod general;
 #[cfg(test)]
@@ -19,7 +18,6 @@ pub(crate) use general::GeneralRegister;
 pub(crate) type Memory = operands::Memory<GeneralRegister>;
 type Source = operands::Source<Memory>;
 
-/// The register that holds intermediate results.
 const TEMPORARY: Vector = Vector(30);
 /// The register that holds an operand loaded from memory.
 const OPERAND: Vector = Vector(31);
@@ -34,7 +32,7 @@ pub(crate) struct Assembler {
     bytes: Vec<u8>,
     form: OperandForm,
     pool: Pool,
-    /// Whether a single instruction may be too short to reach a jump target or the pool.
+    /// Whether a jump target or the pool may be too far for a single instruction.
     is_long: bool,
 }
 
@@ -99,8 +97,7 @@ impl Assembler {
         self.form.width == Width::Scalar
     }
 
-    /// Writes an instruction on three registers. The caller gives the instruction's encodings for
-    /// scalars and for vectors.
+    /// Writes an instruction on three registers, whose encodings differ for scalars and vectors.
     fn three(&mut self, [scalar, packed]: [u32; 2], to: Vector, a: Vector, b: Vector) {
         let word = if self.is_scalar() { scalar } else { packed };
         self.word(word | self.precision() | number(b) << 16 | number(a) << 5 | number(to));
@@ -138,31 +135,30 @@ impl Assembler {
         self.three(words, to, a, b);
     }
 
-    /// Computes to = a if a > b (or a < b), else b. fmax and fmin would treat NaN and ±0
-    /// differently.
+    /// Computes to = a if a > b (or a < b), else b, also for NaN and ±0.
     fn choose(&mut self, greater: bool, to: Vector, a: Vector, b: Vector) {
         const GREATER: u32 = 12;
         const LESS: u32 = 4;
 
         if self.is_scalar() {
-            // Writes fcmp a, b and fcsel to, a, b, condition.
+            // fcmp a, b and fcsel to, a, b, condition.
             let condition = if greater { GREATER } else { LESS };
             self.word(0x1e20_2000 | self.precision() | number(b) << 16 | number(a) << 5);
             let select = 0x1e20_0c00 | self.precision() | condition << 12;
             return self.word(select | number(b) << 16 | number(a) << 5 | number(to));
         }
-        // Writes fcmgt mask, larger, smaller.
+        // fcmgt mask, larger, smaller.
         let mask = if to == a || to == b { TEMPORARY } else { to };
         let (larger, smaller) = if greater { (a, b) } else { (b, a) };
         self.three([0, 0x6ea0_e400], mask, larger, smaller);
         if mask == to {
-            // Writes bsl, which takes a where the mask is set, else b.
+            // bsl takes a where the mask is set, else b.
             self.bits(0x6e60_1c00, to, a, b);
         } else if to == b {
-            // Writes bit, which takes a where the mask is set.
+            // bit takes a where the mask is set.
             self.bits(0x6ea0_1c00, to, a, mask);
         } else {
-            // Writes bif, which takes b where the mask is not set.
+            // bif takes b where the mask is not set.
             self.bits(0x6ee0_1c00, to, b, mask);
         }
     }
@@ -205,8 +201,7 @@ impl Assembler {
         }
     }
 
-    /// Copies a whole vector register. In scalar forms, only the number in its lowest lane is
-    /// copied.
+    /// Copies a whole vector register, or in scalar forms the number in its lowest lane.
     pub(crate) fn copy(&mut self, to: Vector, from: Vector) {
         if self.is_scalar() {
             self.word(0x1e20_4000 | self.precision() | number(from) << 5 | number(to));
@@ -224,8 +219,7 @@ impl Assembler {
     }
 
     fn transfer(&mut self, is_load: bool, register: Vector, place: Memory) {
-        // Each row encodes three offsets: an immediate, a register, and a distance from the program
-        // counter.
+        // The offset is an immediate, a register, or a distance from the program counter.
         let words = match (self.form.width, self.form.element) {
             (Width::Scalar, Element::Single) => [0xbd00_0000, 0xbc20_6800, 0x1c00_0000],
             (Width::Scalar, Element::Double) => [0xfd00_0000, 0xfc20_6800, 0x5c00_0000],
@@ -251,7 +245,7 @@ impl Assembler {
         }
     }
 
-    /// Rounds to the nearest single-precision number, which keeps the element type of the form.
+    /// Rounds to the nearest single-precision number, and keeps the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);
@@ -263,13 +257,11 @@ impl Assembler {
         self.word(wide | number(to) << 5 | number(to));
     }
 
-    /// Returns the pool entry that holds a number in every lane. `bits` encodes the number in one
-    /// lane.
+    /// Returns the pool entry that holds a number in every lane. `bits` encodes the number.
     pub(crate) fn constant(&mut self, bits: u64) -> Entry {
         self.pool.entry(bits)
     }
 
-    /// Returns the code, followed by its constant pool.
     pub(crate) fn finish(self) -> Vec<u8> {
         /// A word of zeros is a permanently undefined instruction (udf).
         const UNDEFINED: u8 = 0;

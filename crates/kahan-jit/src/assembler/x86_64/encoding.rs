@@ -1,8 +1,7 @@
 //! The encoding of vector instructions: each has a prefix, an opcode and operands.
 //!
-//! VEX prefixes of two or three bytes reach 16 registers of up to 256 bits. EVEX prefixes reach 32
-//! registers of up to 512 bits. The operand bytes hold three bits of a register number; the prefix
-//! holds the other bits, inverted.
+//! VEX prefixes reach 16 registers of up to 256 bits, and EVEX prefixes 32 registers of up to 512
+//! bits. A prefix holds some bits of register numbers, inverted.
 
 use super::{Assembler, Element, GeneralRegister, Memory, OperandForm, Source, Vector, Width};
 
@@ -44,8 +43,7 @@ impl Opcode {
         Opcode { map: 1, prefix: u8::from(is_wide), is_wide, length, opcode, other: None }
     }
 
-    /// Describes a fused multiply-add. The opcode for scalars is one larger than the opcode for
-    /// vectors.
+    /// Describes a fused multiply-add. The scalar opcode is one larger than the vector opcode.
     pub(super) fn fused(form: OperandForm, opcode: u8) -> Self {
         let opcode = opcode + u8::from(form.width == Width::Scalar);
         Opcode { map: 2, prefix: 1, ..Self::packed(form, opcode) }
@@ -68,8 +66,7 @@ fn inverted(number: u8, k: u8) -> u8 {
 
 impl Assembler {
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // The high bits of the last operand: bit 4 of a register or bit 3 of an index, then bit 3
-        // of a register or of a base.
+        // The high bits of a register, or of an index and a base.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -86,7 +83,7 @@ impl Assembler {
             Some(other) if is_evex => other,
             _ => (opcode.prefix, opcode.opcode),
         };
-        // In VEX, only fused operations tell the element type by the W bit.
+        // In VEX, the W bit tells the element type only in fused operations.
         let wide = u8::from(is_wide && (is_evex || map == 2)) << 7;
         let second = (!a.0 & 15) << 3;
         if is_evex {
@@ -103,11 +100,9 @@ impl Assembler {
         self.operands(to.0, b, !is_evex);
     }
 
-    /// Writes ModRM, SIB and offset. In EVEX offsets take four bytes, because EVEX scales 8-bit
-    /// offsets.
+    /// Writes ModRM, SIB and offset. EVEX scales 8-bit offsets; therefore all offsets take 4 bytes.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
-        /// Codes of ModRM for the base: one announces a SIB byte, one is relative to the program
-        /// counter.
+        /// Codes of ModRM for the base: a SIB byte follows, or the base is the program counter.
         const MORE: u8 = 4;
         const BEHIND_THE_CODE: u8 = 5;
 
@@ -129,7 +124,7 @@ impl Assembler {
             }
             Source::Memory(Memory::Indexed { base, index }) => {
                 assert!(index != GeneralRegister::Rsp, "this register is no index");
-                // Writes an explicit offset of 0, because some bases require an offset.
+                // Some bases require an explicit offset of 0.
                 let index = (index as u8 & 7) << 3;
                 if may_be_short {
                     self.bytes.extend([0x40 | register | MORE, index | base as u8 & 7, 0]);

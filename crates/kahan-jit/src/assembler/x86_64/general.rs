@@ -30,7 +30,7 @@ impl GeneralRegister {
     pub(crate) const SPARE: [Self; 3] = [Self::Rax, Self::R9, Self::R10];
     /// The registers that hold the addresses of columns.
     pub(crate) const POINTERS: [Self; 6] = [Self::R11, Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
-    /// The registers among [`POINTERS`](Self::POINTERS) that must be saved for the caller.
+    /// The callee-saved registers among [`POINTERS`](Self::POINTERS).
     pub(super) const SAVED: [Self; 5] = [Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
     pub(crate) const STACK: Self = Self::Rsp;
 }
@@ -48,7 +48,6 @@ pub(super) enum Condition {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Label(usize);
 
-/// A forward jump whose target is not known yet.
 #[derive(Debug)]
 #[must_use]
 pub(crate) struct ForwardJump(usize);
@@ -119,7 +118,7 @@ impl Assembler {
 
     /// Touches the end of the stack without changing the number that lies there.
     pub(super) fn touch_stack(&mut self) {
-        // The bytes encode or qword ptr [rsp], 0.
+        // or qword ptr [rsp], 0
         self.bytes.extend([0x48, 0x83, 0x0c, 0x24, 0]);
     }
 
@@ -138,7 +137,7 @@ impl Assembler {
         self.jump_if_forward(Condition::Zero)
     }
 
-    /// Decrements `count`, and jumps to the label if the decremented count is not zero.
+    /// Decrements `count`, and jumps to the label unless the result is zero.
     pub(crate) fn count_down(&mut self, count: GeneralRegister, to: Label) {
         self.decrement(count);
         self.jump_if(Condition::NotZero, to);
@@ -165,8 +164,7 @@ impl Assembler {
         self.set_target(after, self.bytes.len());
     }
 
-    /// Sets the target of the jump instruction that ends at `after`, from where distances are
-    /// counted.
+    /// Sets the target of the jump instruction that ends at `after`.
     fn set_target(&mut self, after: usize, target: usize) {
         let distance = target as i32 - after as i32;
         self.bytes[after - 4..after].copy_from_slice(&distance.to_le_bytes());

@@ -76,8 +76,7 @@ impl Assembler {
         self.ret();
     }
 
-    /// Computes to = a ∘ b. A scalar sign flip changes other bits too, because xor reads 16 bytes
-    /// or more.
+    /// Computes to = a ∘ b. A scalar sign flip also changes the upper lanes.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,
@@ -118,13 +117,12 @@ impl Assembler {
         self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
     }
 
-    /// Rounds to the nearest single-precision number, which keeps the element type of the form.
+    /// Rounds to the nearest single-precision number, and keeps the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);
         }
-        // A scalar conversion copies the upper bits from an extra operand, which a vector
-        // conversion lacks.
+        // A scalar conversion has an extra operand, from which it copies the upper bits.
         let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
         let (rest, rest_of_single) = (rest(from), rest(to));
         let single = OperandForm { element: Element::Single, ..self.form };
@@ -137,19 +135,16 @@ impl Assembler {
         self.bytes.extend([0xc5, 0xf8, 0x77]);
     }
 
-    /// Returns the pool entry that holds a number in every lane. `bits` encodes the number in one
-    /// lane.
+    /// Returns the pool entry that holds a number in every lane. `bits` encodes the number.
     pub(crate) fn constant(&mut self, bits: u64) -> Entry {
         self.pool.entry(bits)
     }
 
-    /// Returns the code, followed by its constant pool.
     pub(crate) fn finish(self) -> Vec<u8> {
         const BREAKPOINT: u8 = 0xcc;
 
         self.pool.append_to(self.bytes, BREAKPOINT, |code, place, target| {
-            // The distance counts from the end of the 4-byte offset. Code and pool are shorter than
-            // 2³¹ bytes.
+            // The distance counts from the end of the 4-byte offset.
             let distance = target as i32 - (place as i32 + 4);
             code[place..place + 4].copy_from_slice(&distance.to_le_bytes());
         })

@@ -1,5 +1,4 @@
-//! Checks that an independent disassembler decodes all forms of all instructions, with all
-//! registers.
+//! Checks with an independent disassembler all forms of all instructions, with all registers.
 
 use iced_x86::{
     Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register, RoundingControl,
@@ -63,7 +62,6 @@ fn decoded(write: impl FnOnce(&mut Assembler), form: OperandForm) -> Instruction
     instruction
 }
 
-/// Asserts that the instruction has no mask, no broadcast and no rounding mode.
 fn assert_is_plain(instruction: &Instruction) {
     assert_eq!(instruction.op_mask(), Register::None, "{instruction:?}");
     assert!(!instruction.zeroing_masking() && !instruction.is_broadcast(), "{instruction:?}");
@@ -71,7 +69,6 @@ fn assert_is_plain(instruction: &Instruction) {
     assert!(!instruction.suppress_all_exceptions(), "{instruction:?}");
 }
 
-/// Returns the name that the decoder gives a vector register.
 fn vector(form: OperandForm, Vector(number): Vector) -> Register {
     let first = match form.width {
         Width::Scalar | Width::Bits128 => Register::XMM0,
@@ -116,7 +113,6 @@ fn assert_memory(instruction: &Instruction, place: u32, bytes: usize, memory: Me
     assert_eq!(instruction.memory_displacement64() as i64, offset, "{instruction:?}");
 }
 
-/// Yields memory operands with every base.
 fn places() -> impl Iterator<Item = Memory> {
     let at = |(base, _)| OFFSETS.map(|offset| Memory::At { base, offset });
     let indices = GENERAL.into_iter().filter(|(index, _)| *index != GeneralRegister::Rsp);
@@ -309,7 +305,6 @@ fn all_operations(form: OperandForm, registers: u8, has_fused: bool) -> Vec<Inst
     all(&assembler.bytes)
 }
 
-/// An instruction set is available if the processor has every extension that its code uses.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn a_set_of_instructions_is_available_where_all_of_them_are() {
@@ -341,8 +336,7 @@ fn a_set_of_instructions_is_available_where_all_of_them_are() {
 fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     for form in FORMS {
         let mut assembler = Assembler::new(form);
-        // The third constant shares its lower half with the first constant, and its upper half with
-        // the second constant.
+        // The third constant shares its halves with the other constants.
         let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x8000_0000_3f80_0000];
         for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
             let entry = assembler.constant(bits);
@@ -377,8 +371,7 @@ fn the_pool_begins_with_a_cache_line() {
     }
 }
 
-/// Offsets that fit into one byte take one byte. In EVEX offsets take four bytes, because EVEX
-/// scales short offsets.
+/// Short offsets take one byte. In EVEX offsets take four bytes, because EVEX scales short offsets.
 #[test]
 fn offsets_are_as_short_as_they_can_be() {
     let length = |offset: i32, register: u8| {
@@ -393,7 +386,6 @@ fn offsets_are_as_short_as_they_can_be() {
     }
 }
 
-/// Decodes code that consists of one integer instruction.
 fn general(write: impl FnOnce(&mut Assembler)) -> Instruction {
     decoded(write, FORMS[0])
 }
@@ -463,7 +455,6 @@ fn jumps_lead_where_they_are_bound() {
     }
 }
 
-/// Functions restore callee-saved registers and their frame.
 #[test]
 fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
     for (stack, uses_pointers) in [(0, false), (9000, false), (8, true)] {

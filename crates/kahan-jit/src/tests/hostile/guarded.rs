@@ -11,15 +11,13 @@ use rustix::mm::{MapFlags, MprotectFlags, ProtFlags, mmap_anonymous, mprotect, m
 
 const PAGE: usize = 4096;
 
-/// The end of a slice at which the inaccessible page begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Edge {
     Begin,
     End,
 }
 
-/// Numbers between two inaccessible pages, initially 0. The slice may be longer than the physical
-/// memory, because pages that are never touched take no memory.
+/// Numbers between two inaccessible pages, initially 0.
 pub(crate) struct Guarded<T> {
     pages: NonNull<c_void>,
     bytes: usize,

@@ -1,5 +1,5 @@
 //! Hostile programs on slices between inaccessible pages. Every program that safe code can build is
-//! refused, or computes its results without an access to other memory.
+//! refused, or accesses no other memory.
 //!
 //! The fuzz target `program` compiles these files, too; therefore they use only public items.
 
@@ -46,11 +46,11 @@ pub(crate) struct Case {
     is_double: bool,
     edge: Edge,
     seed: u64,
-    /// Whether the compiler has no reason to refuse the program.
+    /// Whether the compiler must accept the program.
     is_ordinary: bool,
 }
 
-/// Random bytes, from which choices are drawn. After the last byte follow zeros.
+/// Random bytes, from which choices are drawn, followed by zeros.
 #[derive(Clone, Copy)]
 struct Source<'a>(&'a [u8]);
 
@@ -110,7 +110,7 @@ impl Source<'_> {
         }
     }
 
-    /// Returns an arbitrary program, and whether the compiler has no reason to refuse it.
+    /// Returns an arbitrary program, and whether the compiler must accept it.
     fn program(&mut self) -> (Program, bool) {
         const MANY: usize = 25_000;
 
@@ -119,13 +119,11 @@ impl Source<'_> {
             255 => MANY,
             results => results % 40,
         };
-        // Sometimes the bytes are repeated for a long program.
         let instructions = match self.byte() {
             255 => MANY,
             254 => 3000,
             _ => 0,
         };
-        // Sometimes an operation reads a later or missing operation.
         let is_broken = self.byte() > 248;
         let (beginning, mut known) = (*self, 0);
         let mut is_ordinary = results < MANY && instructions < MANY && !is_broken;
@@ -199,8 +197,7 @@ impl Case {
         }
     }
 
-    /// Returns `count` numbers. In very long arrays only the first and the last numbers are
-    /// nonzero.
+    /// Returns `count` numbers. In very long arrays, inner numbers are zero.
     fn numbers<T: num_traits::Float>(&self, draw: &mut Draw, count: usize) -> Guarded<T> {
         const FEW: usize = 1000;
 

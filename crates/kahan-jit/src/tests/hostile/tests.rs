@@ -31,7 +31,6 @@ fn hostile_programs_are_refused_or_run_within_their_slices() {
 const SHAPE: Shape =
     Shape { instructions: InstructionSet::least(false), lanes: LaneCount::All, fuses: false };
 
-/// Returns a program that reads the states 0 and 1 and the constants 0 to 2.
 fn small() -> Program {
     let mut program = Program::default();
     let x = push(&mut program, state(1));
@@ -45,7 +44,7 @@ fn is_refused(call: impl FnOnce()) -> bool {
     catch_unwind(AssertUnwindSafe(call)).is_err()
 }
 
-/// Shortens each array in turn, to one number less than the code requires.
+/// Each array in turn has one number less than the code requires.
 #[test]
 fn slices_that_are_too_short_stop_before_the_code() {
     if !SHAPE.instructions.is_available() {

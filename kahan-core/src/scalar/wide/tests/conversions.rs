@@ -1,5 +1,4 @@
-//! Tests conversions from floats, and to the nearest float. The latter are compared with
-//! neighbouring floats and with decimals.
+//! Tests conversions from floats and to the nearest float.
 
 use std::string::ToString;
 
@@ -8,7 +7,7 @@ use num_traits::One;
 
 use super::{Dyadic, Random, Wide};
 
-/// Returns a random finite float of any exponent. The mantissa of the float has few or many bits.
+/// Returns a random finite float of any exponent, with few or many bits.
 fn any_f64(random: &mut Random) -> f64 {
     loop {
         let bits = random.bits() & if random.bits() & 1 == 0 { u64::MAX } else { u64::MAX << 50 };
@@ -75,7 +74,7 @@ fn scaled_integer(x: f64) -> BigInt {
     if x < 0.0 { -integer } else { integer }
 }
 
-/// Asserts that `nearest` is the float nearest to `number`. In a tie it must be even.
+/// Asserts that `nearest` is the float nearest to `number`, ties to even.
 macro_rules! assert_nearest {
     ($number:expr, $nearest:expr, $largest_exponent:expr) => {{
         let (number, nearest) = ($number, $nearest);
@@ -118,7 +117,6 @@ fn rounding_is_to_the_nearest_float() {
     }
 }
 
-/// Tests ties over the whole range of floats, and numbers that differ from a tie in the last bit.
 #[test]
 fn ties_go_to_even() {
     let mut random = Random(14);
@@ -153,8 +151,7 @@ fn ties_go_to_even() {
 
 #[test]
 fn beyond_the_largest_float_there_is_infinity() {
-    // The tie between the largest float and the next power of two rounds to infinity, which is
-    // even.
+    // The tie between the largest float and the next power of two rounds to infinity.
     let tie = Wide::from(f64::MAX) + Wide::one().scaled(970);
     assert_eq!(tie.to_f64(), f64::INFINITY);
     assert_eq!((-tie).to_f64(), f64::NEG_INFINITY);

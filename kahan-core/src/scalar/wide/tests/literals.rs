@@ -9,8 +9,7 @@ use num_traits::Zero;
 use super::{Dyadic, Random, Wide};
 use crate::{Constant, Scalar};
 
-/// Returns whether |w − p/q| ≤ r ≤ 2^unit·|p/q|, where r is the radius of w. Both sides are
-/// multiplied by q and by the denominator of w.
+/// Returns whether |w − p/q| ≤ r ≤ 2^unit·|p/q| for the constant p/q, where r is the radius of w.
 fn is_close(wide: Wide, constant: &Constant<'_>, unit: i64) -> bool {
     let ratio = constant.to_ratio();
     let integer = |n: &BigInt| Dyadic { integer: n.clone(), exponent: 0 };
@@ -37,7 +36,6 @@ fn integers_and_short_ratios_are_exact() {
     }
 }
 
-/// Tests numerators and denominators of 1 to 20 limbs, with zero limbs at either end.
 #[test]
 fn long_ratios_are_within_a_few_units() {
     let mut random = Random(21);

@@ -41,13 +41,11 @@ fn sums_and_products_are_exact() {
     }
 }
 
-/// A quotient knows its error, which is far below a unit of any float. Zero has no reciprocal.
 #[test]
 fn quotients_know_their_digits() {
     let third = LongNumber::one().quotient(long(3.0)).expect("a quotient");
     let rest = third.clone() * long(3.0) - LongNumber::one();
     assert!(rest.is_zero());
-    // A divisor of many digits leaves a remainder.
     let divisor = long(1e300) + long(3e-300);
     let quotient = LongNumber::one().quotient(divisor.clone()).expect("a quotient");
     let rest = (quotient * divisor - LongNumber::one()).at_most();
@@ -80,7 +78,7 @@ fn a_levelled_row_is_the_same_equation() {
 #[test]
 fn more_room_is_asked_for_until_a_step_is_settled() {
     let known = long(1.5);
-    // If different digits of two quotients are cut off, their difference is unknown.
+    // Different digits of two quotients are cut off, and their difference is unknown.
     let divisor = || long(1e300) + long(3e-300);
     let lost = LongNumber::new(Wide::one(), Capacity::Few) / divisor() - LongNumber::one() / divisor();
     let are_settled = |components: &[(LongNumber, bool)]| {
@@ -103,7 +101,6 @@ fn a_rounding_is_within_half_a_unit() {
     // Three quarters of the smallest float round to the smallest float.
     let few = long(f64::from_bits(1)) * long(0.75);
     assert!(is_within(&few, 0.25) && !is_within(&few, 0.24));
-    // Only the digits that two products cut off remain.
     let divisor = long(1e300) + long(3e-300);
     let near_one = LongNumber::one() / divisor.clone() * divisor;
     let lost = near_one.clone() - near_one;

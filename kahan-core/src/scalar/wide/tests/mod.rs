@@ -1,7 +1,6 @@
 //! Compares [`Wide`] with exact numbers n·2^k, where n is a big integer.
 //!
-//! Operands come from a seed. Mantissas are random, all ones, single bits or long runs. Exponents
-//! range from −5000 to 5000, or are close together, and then sums cancel.
+//! Operands are random. Their mantissas are random, all ones, single bits or long runs.
 
 mod conversions;
 mod literals;
@@ -44,7 +43,7 @@ impl Dyadic {
         Self::of(Wide::from(size.mantissa).scaled(size.exponent))
     }
 
-    /// Returns the integers of both numbers over the smaller exponent, and this exponent.
+    /// Returns the integers n and m, and e, for numbers n·2^e and m·2^e.
     fn aligned(&self, other: &Self) -> (BigInt, BigInt, i64) {
         let exponent = self.exponent.min(other.exponent);
         let shifted = |dyadic: &Self| &dyadic.integer << (dyadic.exponent - exponent) as u64;
@@ -52,7 +51,6 @@ impl Dyadic {
     }
 
     fn plus(&self, other: &Self) -> Self {
-        // Zero has no exponent to which the other number could be aligned.
         if self.integer.is_zero() {
             return other.clone();
         }
@@ -132,8 +130,7 @@ impl Random {
         limbs
     }
 
-    /// Returns a number of about 1024 bits without gaps. The leading bit of the number stands for
-    /// 2^exponent.
+    /// Returns a number of about 1024 bits, of which the leading bit stands for 2^exponent.
     fn wide(&mut self, exponent: i64) -> Wide {
         Wide::from_limbs(self.bits() & 1 == 1, &self.limbs()).scaled(exponent - 64 * LIMBS as i64 + 1)
     }

@@ -54,8 +54,7 @@ fn both_ways_to_multiply_agree() {
     assert!((TRIALS / 4..TRIALS).contains(&made_in_place), "{made_in_place}");
 }
 
-/// Tests |q − a/b| ≤ 2⁻¹⁰²²·|a/b| for a quotient q. Both sides are multiplied by |b| and by the
-/// denominator of q.
+/// Tests |q − a/b| ≤ 2⁻¹⁰²²·|a/b| for a quotient q, multiplied by b and by the denominator of q.
 #[test]
 fn a_quotient_is_within_the_unit() {
     let mut random = Random(3);
@@ -71,7 +70,7 @@ fn a_quotient_is_within_the_unit() {
     }
 }
 
-/// Digits are cut off only in full rows. Sums of up to 17 digits at any places are exact.
+/// Sums of up to 17 digits at any places are exact.
 #[test]
 fn digits_lie_where_they_are_needed() {
     let mut random = Random(4);
@@ -123,8 +122,7 @@ fn short_fractions_are_exact() {
     }
 }
 
-/// The radius of a number bounds its error. If each operand is wrong by its whole radius, the error
-/// of the result is at most the radius of the result.
+/// The error of a result is within its radius even if each operand is wrong by its whole radius.
 #[test]
 fn a_radius_holds_whatever_the_operands_stand_for() {
     let mut random = Random(9);

@@ -1,4 +1,4 @@
-//! Compares encoded instructions with the words that GNU binutils makes of the text beside.
+//! Compares encoded instructions with the output of GNU binutils for the text in the comment.
 
 mod memory;
 mod operations;
@@ -56,7 +56,6 @@ fn check(all: &[Written<'_>]) {
     }
 }
 
-/// Assembles a function with an empty body.
 fn frame((stack, uses_pointers, vectors): (usize, bool, u8)) -> Vec<u32> {
     let needs = FrameNeeds { stack, uses_pointers, vectors, instructions: 1 };
     let mut assembler = Assembler::new(D);
@@ -150,7 +149,6 @@ fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
     }
 }
 
-/// Assembles a loop with short or long jumps.
 fn jumps(is_long: bool) -> Vec<u32> {
     let [a, b, ..] = GeneralRegister::ARGUMENTS;
     let mut assembler = Assembler::new(D);
