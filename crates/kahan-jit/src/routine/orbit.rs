@@ -15,6 +15,7 @@ use super::Frame;
 pub struct Orbit<T> {
     code: Code<T>,
     ends: ResultDestination,
+    round_bytes: usize,
 }
 
 /// Code that iterates a program. A round runs the program once for each set of constants, in order.
@@ -46,6 +47,7 @@ impl<T: Float> Orbit<T> {
         let again = frame.assembler.label();
         frame.round(&addresses);
         frame.assembler.count_down(steps, again);
+        let round_bytes = frame.assembler.bytes_since(again);
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
@@ -53,7 +55,13 @@ impl<T: Float> Orbit<T> {
         // The code writes only the results, to the last state if these are carried. Only
         // `Code::orbit` and, for carried states, `Code::orbit_step` enter the code.
         let code = unsafe { Code::new(&bytes, extent) }?;
-        Ok(Orbit { code, ends })
+        Ok(Orbit { code, ends, round_bytes })
+    }
+
+    /// Returns the length in bytes of the instructions of a round, with the jump to the next one.
+    #[must_use]
+    pub fn round_bytes(&self) -> usize {
+        self.round_bytes
     }
 
     /// Advances the state by `steps` rounds.

@@ -7,6 +7,8 @@
 mod codes;
 mod double_double;
 mod kind;
+#[cfg(test)]
+mod measured;
 mod programs;
 mod traced;
 

@@ -177,6 +177,11 @@ impl Assembler {
         Label(self.bytes.len())
     }
 
+    /// Returns the number of bytes from `place` to here.
+    pub(crate) fn bytes_since(&self, Label(place): Label) -> usize {
+        self.bytes.len() - place
+    }
+
     /// Jumps forward if `count` is zero. [`bind`](Self::bind) sets the target later.
     pub(crate) fn skip_if_zero(&mut self, count: GeneralRegister) -> ForwardJump {
         ForwardJump(self.jump(IF_ZERO | count.number(), IF_NOT_ZERO | count.number()))
