@@ -92,7 +92,7 @@ pub struct Deadline<'a> {
 }
 
 impl<'a> Deadline<'a> {
-    /// Sets a deadline in `seconds` seconds. NaN and negative numbers count as 0.
+    /// Sets a deadline in `seconds` seconds. NaN and negative numbers are replaced by 0.
     #[must_use]
     pub fn after(work: &'a Work<'a>, seconds: f64) -> Self {
         let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, 1e9) };

@@ -69,7 +69,8 @@ pub struct StructureReport {
     pub flow_degree: u32,
     /// The number of flow integrals that the map preserves unchanged.
     pub kept: usize,
-    /// The matrices K with f = K∇H in a reduced basis, by the length of the modified Hamiltonian.
+    /// The matrices K with f = K∇H in a reduced basis, ordered by the length of the modified
+    /// Hamiltonian.
     pub hamiltonians: Vec<HamiltonianReport>,
 }
 

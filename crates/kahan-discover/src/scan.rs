@@ -56,7 +56,7 @@ pub struct Scan {
     pub names: Vec<String>,
     /// The degrees and ranks at generic values of all scanned parameters.
     pub generic: DegreesAndRanks,
-    /// The points of the grid, in the order in which the last parameter changes first. Points are
+    /// The points of the grid, in the order in which the last parameter changes fastest. Points are
     /// missing if time ran out.
     pub points: Vec<GridPoint>,
     /// Relations between scanned parameters at which all points of the grid are special.
@@ -108,7 +108,8 @@ pub fn scan(
     let show =
         |done: usize| work.show(&Progress { what: "points", done: done as u64, of: Some(total as u64) });
     show(0);
-    // Every point is compared with the generic degrees and ranks, so they have no deadline.
+    // The generic degrees and ranks are needed for every comparison, so they are computed without a
+    // deadline.
     let generic =
         degrees_and_ranks(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
     let mut points = Vec::new();

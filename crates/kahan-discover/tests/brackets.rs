@@ -65,7 +65,7 @@ fn a_bracket_of_highest_rank_has_a_density() {
     assert!(found.sentences.iter().all(|said| !said.contains("too long")));
 }
 
-/// Two planar systems without coupling have brackets of degrees 0 and 1.
+/// Two planar systems, each without the variables of the other, have brackets of degrees 0 and 1.
 #[test]
 fn brackets_of_parts_are_added() {
     let parts = "qdot = p; pdot = -w^2*q - 3*k*q^2 + r; udot = v; vdot = -1000*u;";

@@ -50,7 +50,6 @@ fn the_lagrange_top_has_four_integrals() {
     let report = report(LAGRANGE, &options());
     assert_eq!((report.independent_integrals(), report.integrals.len()), (4, 4));
     check_lines(LAGRANGE, &report);
-    // The third integral minus the second integral is a polynomial, as in the catalog.
     assert!(report.integrals[2].denominator.is_one() && report.densities.len() == 1);
     let lengths: Vec<usize> = report.integrals.iter().map(|formula| formula.text.len()).collect();
     assert!(lengths.iter().sum::<usize>() <= 2500, "{lengths:?}");
@@ -137,7 +136,6 @@ fn hamiltonian_structure_is_found_with_its_tensor() {
     assert_eq!(structure.divergence, "0");
     let hamiltonian = structure.hamiltonians.pop().expect("f = K grad H");
     assert!(hamiltonian.modified_is_proved);
-    // K is determined up to a factor, so its first entry is set to 1.
     let expected = [["0", "0", "1", "0"], ["0", "0", "0", "1"], ["-1", "0", "0", "0"], ["0", "-1", "0", "0"]];
     assert_eq!(hamiltonian.tensor, expected);
     assert_eq!(hamiltonian.hamiltonian, "1/2*p^2 + 1/2*q^2 + x^2*y + 1/2*a*x^2 + 1/2*b*y^2 - 1/3*c*y^3");
@@ -193,8 +191,8 @@ fn fields_with_little_in_them_end_in_true_sentences() {
 
 #[test]
 fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
-    // N and D have more than 500 terms. The modified Hamiltonian has degree 7, beyond the relations
-    // of orbits.
+    // The numerator and the denominator have more than 500 terms. Relations of orbits do not show
+    // the integral of degree 7, the modified Hamiltonian.
     let chain = "adot = a*(b - c + d - e); bdot = b*(c - d + e - a); cdot = c*(d - e + a - b);
         ddot = d*(e - a + b - c); edot = e*(a - b + c - d);";
     let report = report(chain, &options());
@@ -205,7 +203,6 @@ fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
 
 #[test]
 fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
-    // The degrees of Noumi and Yamada's chain grow exponentially because of the constants.
     let chain = |last: &str| {
         format!(
             "adot = a*(b - c + d - e) + 3/7; bdot = b*(c - d + e - a) + 1/5; cdot = c*(d - e + a - b) + 2/3;
@@ -221,7 +218,6 @@ fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
     let modified = hamiltonian.modified(&Text);
     assert!(modified.len() * 4 < found.integrals[1].text.len(), "{modified}");
     check_lines(&text, &found);
-    // The Hamiltonian structure requires that the constants cancel in the sum.
     let found = report(&chain("1"), &options());
     assert_eq!((found.independent_integrals(), found.structure.hamiltonians.is_empty()), (0, true));
 }
@@ -307,7 +303,6 @@ fn the_time_ends_a_search_where_something_may_be_missing() {
 fn growth_ends_searches_in_the_plane() {
     let cases = [
         (LOTKA_VOLTERRA, Bound::Growth, "2^n, proved"),
-        // The two fields are Zander's with exponents (1, 1, 3) and (al, 1, -1).
         ("xdot = x^2 + 4*x*y; ydot = -4*x*y - y^2;", Bound::Growth, "exponentially, proved"),
         (
             "xdot = x^2; ydot = x*y - al*x*y - al*y^2;",
@@ -332,11 +327,8 @@ fn growth_ends_searches_in_the_plane() {
     assert_eq!((found.independent_integrals(), found.growth.proof), (0, None));
     let all = found.sentences.join(" ");
     assert!(all.contains("elliptic fibration") && all.contains("of a degree above 3."), "{all}");
-    // At ε = 1 an integral exists.
     let found = searched(LOTKA_VOLTERRA, &Options { eps: Some(Rational::one()), ..options() });
     assert_eq!((found.growth.proof, found.bound), (None, Bound::Orbits));
-    // At a = 0 the field is undefined at ε = 0. The map of x has order 4, so an integral of degree
-    // 4 exists.
     let periodic = "struct S { a } xdot = 1 + x^2/(4*(a + eps^2)); ydot = x*y + 1;";
     let at_zero = vec![("a".to_owned(), Rational::zero())];
     let found = searched(periodic, &Options { degree: Some(1), parameters: at_zero, ..options() });
@@ -363,7 +355,6 @@ fn wrong_input_is_explained() {
     assert_eq!(error("xdot = y/a; ydot = x;", &with("a", 0)), DiscoverError::UndefinedField);
     let at_one = Options { eps: Some(Rational::one()), ..options() };
     assert_eq!(error("xdot = x;", &at_one), DiscoverError::NoMap);
-    // At ε = 1/2 the map sends x to 0 in one step.
     let at_half = Options { eps: Some(Rational::new(1, 2)), ..options() };
     assert_eq!(error("xdot = -2*x; ydot = -y;", &at_half), DiscoverError::Collapse);
     let at_zero = Options { eps: Some(Rational::zero()), ..options() };
@@ -421,8 +412,8 @@ fn ten_parameters_have_formulas_of_one_line() {
     );
 }
 
-/// The field is a linear factor times the field of a quadratic Hamiltonian. One element P + cQ is
-/// free of ε, and one is a product of two lines.
+/// The field is a linear factor times the field of a quadratic Hamiltonian. One element P + cQ does
+/// not contain ε, and one is a product of two lines.
 #[test]
 fn a_pencil_is_given_by_its_members_that_fall_apart() {
     let linear = "xdot = (p*x + q*y + r)*(b*x + 2*c*y + e); ydot = -(p*x + q*y + r)*(2*a*x + b*y + d);";

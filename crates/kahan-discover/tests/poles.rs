@@ -37,7 +37,6 @@ fn patterns_of_known_systems() {
         verdicts(&generic).iter().all(|(_, confined, images)| *confined == Some(false) && *images == [0; 8])
     );
     assert_eq!(generic.patterns.len(), 3);
-    // Pairs of conjugate planes have points modulo only half of the primes.
     let e4 = found(E4, None, 4);
     let expected = [(true, vec![2]), (true, vec![0, 0, 2]), (true, vec![0, 0, 2])];
     let e4: Vec<_> =
@@ -79,7 +78,6 @@ fn confinement_alone_proves_nothing() {
     let growth = |found: &Poles| GrowthVerdict::of(&found.degrees).growth;
     let chaotic = found(HENON_HEILES, None, 8);
     assert!(confines(&chaotic) && matches!(growth(&chaotic), Growth::Exponential { .. }));
-    // Curves of linearisable maps need not be confined.
     let linear = found(E3, None, 8);
     assert!(!confines(&linear) && growth(&linear) == Growth::Linear);
 }

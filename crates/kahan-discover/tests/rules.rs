@@ -56,7 +56,6 @@ fn what_is_fixed_is_put_into_the_rules() {
     check(PENDULUM, Options { eps, parameters, ..Options::default() }, 1, &expected);
 }
 
-/// In two hundred variables the prover would need a minute.
 #[test]
 fn long_chains_show_theirs_at_once() {
     let n = 50;

@@ -25,7 +25,6 @@ fn with_integrals(scan: &Scan, wanted: usize) -> Vec<Rational> {
 
 #[test]
 fn the_parameters_that_join_integrable_fields_are_special() {
-    // At 0 the field keeps y constant, and a second integral exists in the plane of x and z.
     let special = [Rational::from(-1), Rational::zero(), Rational::from(1)];
     let e7 = scanned(E7, "xi");
     assert_eq!((e7.generic.integrals, e7.points.len(), e7.out_of_time), (0, 17, false));
@@ -76,8 +75,8 @@ fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     found
 }
 
-/// Returns the relations with their numbers of points and claims, which must fail without the
-/// relation.
+/// Returns each relation with the number of its points and of its claims. Asserts that the claims
+/// hold under the relation, and fail without it.
 fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
     let mistakes = |claim: &str| read(&lexer::lex(&format!("{text} {claim}")).tokens).diagnostics().to_vec();
     for claim in scan.relations.iter().flat_map(|proposal| &proposal.claims) {
@@ -94,7 +93,6 @@ fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
 
 #[test]
 fn linear_relations_are_proposed_and_proved() {
-    // In the field, x + y + z changes at the rate (a + b + c) y².
     let text = "xdot = x*(y - z) + a*y^2; ydot = y*(z - x) + b*y^2; zdot = z*(x - y) + c*y^2;";
     let found = on_grid(text, &["a", "b", "c"], -1, 1);
     assert_eq!(relations(text, &found), [("c = -a - b", 7, 1)]);
@@ -120,11 +118,9 @@ fn products_are_proposed_and_proved() {
 
 #[test]
 fn what_is_only_seen_is_not_claimed() {
-    // At eps = ±1 the degrees grow more slowly, but no integral exists.
     let text = "xdot = x*(1 - y); ydot = y*(x - 1) + a*x^2;";
     let found = on_grid(text, &["a", "eps"], -4, 4);
     assert_eq!(relations(text, &found), [("eps = -1", 9, 0), ("eps = 1", 9, 0)]);
-    // Five points on a grid with many special points are no evidence.
     assert_eq!(relations(text, &on_grid(text, &["a", "eps"], -2, 2)), []);
     assert_eq!(relations(E7, &on_grid(E7, &["xi"], -1, 1)), []);
 }

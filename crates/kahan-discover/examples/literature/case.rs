@@ -73,7 +73,8 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Names may repeat, so each claim is read separately, with only the earlier drifts.
+    // Claims of a case may have equal names, so each claim is read separately, after the earlier
+    // drifts.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

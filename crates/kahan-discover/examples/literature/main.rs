@@ -63,7 +63,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints the table. Returns whether every case agrees or has a known limit.
+/// Prints a table with a row for each case. Returns whether every case agrees or has a known limit.
 fn compared(arguments: &Arguments) -> Result<bool, String> {
     let path = arguments.file.display();
     let text = std::fs::read_to_string(&arguments.file).map_err(|error| format!("{path}: {error}"))?;

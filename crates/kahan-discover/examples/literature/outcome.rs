@@ -17,7 +17,7 @@ pub(crate) struct Outcome<'a> {
     last_finding: f64,
     total: f64,
     pub(crate) printed: Vec<String>,
-    /// The printed length divided by the shortest known length.
+    /// The total length of the printed claims, divided by that of the shortest known claims.
     pub(crate) ratio: Option<f64>,
     pub(crate) differences: Vec<String>,
 }

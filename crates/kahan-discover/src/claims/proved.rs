@@ -71,7 +71,6 @@ impl<'a> Claims<'a> {
         let field = &system.field;
         let symbols = &field.symbols;
         let equations = equation_lines(field).collect::<Vec<_>>().join(" ");
-        // A parameter that cancels does not occur in the printed equations.
         let occurs = |name: &str| {
             symbols
                 .named(name)
@@ -99,7 +98,7 @@ impl<'a> Claims<'a> {
     }
 
     /// Returns an unused name that begins with `stem` and `index`. The name of a density that will
-    /// be [replaced](Self::own_density) counts as unused.
+    /// be [replaced](Self::own_density) may be used again.
     pub(crate) fn name(&self, stem: &str, index: Option<usize>) -> String {
         let mut name = match index {
             Some(index) => format!("{stem}{index}"),
@@ -121,7 +120,8 @@ impl<'a> Claims<'a> {
     }
 
     /// Writes the integral numerator/denominator with the name H`index`, and proves it. Returns
-    /// `None` if the proof fails. Powers of the polynomials `by` may shorten the text.
+    /// `None` if the proof fails. A long factor is written in powers of one of the polynomials `by`
+    /// if the text becomes shorter.
     #[must_use]
     pub fn integral(
         &self,
@@ -136,8 +136,8 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, numerator, denominator))
     }
 
-    /// Writes the integral numerator/denominator, which a theorem proves. Returns `None` if the
-    /// written text states another function.
+    /// Writes the integral numerator/denominator, without a proof, for functions that are integrals
+    /// by a theorem. Returns `None` if the written text does not equal numerator/denominator.
     pub(crate) fn integral_by_theorem(
         &self,
         symbols: &Symbols,
@@ -173,8 +173,8 @@ impl<'a> Claims<'a> {
         format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition)
     }
 
-    /// Writes the invariant density ∏ factorᵏ, and proves it. Returns `None` if the proof fails.
-    /// Powers of the polynomials `by` may shorten the text.
+    /// Writes the invariant density ∏ factorᵏ, and proves it. Returns `None` if the proof fails. A
+    /// long factor is written in powers of one of the polynomials `by` if the text becomes shorter.
     #[must_use]
     pub fn density(
         &self,
@@ -244,7 +244,6 @@ fn formula(
     }
 }
 
-/// Removes the sign of a density, which does not affect invariance.
 fn unsigned(value: String) -> String {
     match value.strip_prefix('-') {
         Some(positive) if is_product(&value) => positive.to_owned(),

@@ -66,7 +66,7 @@ fn degrees(report: &Report) -> String {
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // Orbits of n variables already give the bound n − 1.
+    // In n dimensions, the search along orbits already gives the bound n − 1.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }
@@ -158,7 +158,6 @@ fn orbits(report: &Report) -> Vec<String> {
         format!(
             "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
             match report.bound {
-                // Each of these bounds proves that no integral exists.
                 Bound::Orbits | Bound::Ceiling | Bound::Growth | Bound::Drifts if report.independent == 0 => "",
                 _ => " This bounds the degree and does not prove that there is none.",
             }

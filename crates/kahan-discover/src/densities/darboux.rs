@@ -1,8 +1,7 @@
 //! Darboux polynomials of the map φ: polynomials P with P(φ(x)) = C(x) P(x) for a given cofactor C.
 //!
 //! If C = det ∂x̃/∂x, then dx/P is an invariant measure. If C = 1, then P is an integral. If two
-//! polynomials have equal cofactors, their quotient is an integral. So the equation may have many
-//! solutions, and the simplest P is returned.
+//! polynomials have equal cofactors, their quotient is an integral.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -37,7 +36,8 @@ pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(
     })
 }
 
-/// Returns the solutions P of P(φ(x)) = det(∂x̃/∂x) P(x) on the monomials in `support`.
+/// Returns the solutions P of P(φ(x)) = det(∂x̃/∂x) P(x) that are linear combinations of the
+/// monomials with the indices `support`.
 fn null_vectors(
     map: &ModularMap,
     monomials: &Monomials,
@@ -161,7 +161,6 @@ mod tests {
         let square = |polynomial: &Polynomial| polynomial * polynomial;
         let long = &(&square(&y) * &y) * &(Polynomial::one() - &square(&eps) * &square(&x));
         let factors = [long.clone(), y.clone()];
-        // Other densities 1/P have degree 4 or more, and the search ends at degree 2.
         let far = Deadline::never();
         let found = measure(&searched, &factors, 2, &mut SplitMix64::new(1), &far);
         assert_eq!(found.0, Some(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));

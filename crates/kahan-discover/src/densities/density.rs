@@ -39,8 +39,8 @@ pub(crate) fn pfaffian_density(
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
-/// Finds the density of least degree. The density 1/det(I − ε f′) of the field f replaces a missing
-/// one if det(I − t f′) is even in t.
+/// Finds the density of least degree. If none is found and det(I − t f′) is even in t, the density
+/// is 1/det(I − ε f′), where f is the field.
 pub(crate) fn densities(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -91,7 +91,7 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     found
 }
 
-/// Returns det(I − ε f′) of the field f at the fixed ε, without factors that are free of states.
+/// Returns det(I − ε f′) of the field f at the fixed ε, without factors that contain no state.
 fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
     let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);

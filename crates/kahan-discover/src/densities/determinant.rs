@@ -4,7 +4,7 @@ use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{maximal_minors, scaled_matrix};
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
 
-/// The most variables. The computation stores a minor for every set of columns.
+/// The greatest number of variables, because a minor is stored for every subset of the columns.
 const MOST_VARIABLES: usize = 12;
 
 /// Returns ∏q · det(I − ε f′), where qᵢ is the denominator of component i of the field f.
@@ -53,8 +53,6 @@ mod tests {
         let map = RationalMap::of(&field).unwrap();
         let mut budget = Budget::new(1000, 1_000_000);
         assert_eq!(determinant(&field, &mut budget).unwrap(), map.denominator);
-        // The unit vector with index i gives n̂ᵢ. Component i of the map is (xᵢD̂ + 2ε n̂ᵢ)/D̂ with
-        // D̂ = det A.
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&2.into());
         for i in 0..3 {
             let mut unit = vec![Polynomial::zero(); 3];

@@ -21,7 +21,7 @@ pub(crate) fn product(
     let symbols = searched.family().symbols();
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
     let modulus = Modulus::mersenne_61();
-    // Each of two points has the cofactors with their inverses, and the Jacobian determinant.
+    // For each of two points: each cofactor with its inverse, and the Jacobian determinant.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
         let sample = searched.sample(modulus, random)?;
@@ -50,7 +50,8 @@ pub(crate) fn product(
         let each = exponents.iter().zip(factors);
         each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
-    // The flow preserves volume if all factors are free of states at ε = 0.
+    // If no factor contains a state at ε = 0, the density is constant there, so the flow preserves
+    // volume.
     let is_of_flow = |exponents: &Vec<i32>| {
         let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
         used.all(|(_, factor)| !symbols.has_state(&factor.substitute(symbols.epsilon(), &Rational::zero())))

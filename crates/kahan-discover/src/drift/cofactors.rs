@@ -3,7 +3,8 @@
 //! In homogeneous coordinates the map is F = (N₁ … Nₙ, D) of degree δ. Let P∘F = C·Q with
 //! polynomials P and Q of degree d. Then C has degree d(δ − 1) and vanishes only on hypersurfaces
 //! that F contracts. So C is a product of factors of the Jacobian determinant of F, which has
-//! degree (n + 1)(δ − 1). The coordinate x₀ = 1 may be one of these factors.
+//! degree (n + 1)(δ − 1). The homogeneous coordinate x₀, which is 1 at finite points, may be one of
+//! these factors.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -19,7 +20,8 @@ const MOST_WORK: u64 = 2_000_000;
 pub(super) struct Cofactors {
     pub(super) components: Vec<Polynomial>,
     pub(super) factors: Vec<Polynomial>,
-    /// The degrees of the Jacobian determinant's factors, followed by 1 if x₀ is a factor.
+    /// The degrees of the Jacobian determinant's factors. A last entry 1 is the degree of the
+    /// coordinate x₀, if x₀ is a factor.
     degrees: Vec<u32>,
     degree: u32,
 }

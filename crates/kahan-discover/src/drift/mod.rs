@@ -74,7 +74,7 @@ pub enum DriftKind {
     Link(Vec<String>),
 }
 
-/// A function of the parameters and ε, free of states.
+/// A function of the parameters and ε that contains no state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Constant {
     /// The function.
@@ -300,7 +300,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds the states whose next value is a function of the state and of earlier drifts.
+    /// Adds as drifts the states whose next value is a function of the state and of earlier drifts.
     fn add_links(&mut self) -> Option<()> {
         while !self.is_done() && !self.deadline.passed() {
             let name = self.name();

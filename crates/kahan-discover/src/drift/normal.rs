@@ -132,7 +132,6 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> 
 }
 
 fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<FunctionWithNext> {
-    // Returns an index at which the basis vector `of` has an entry 1 and `other` has 0.
     let place = |of: &Vector, other: &Vector| {
         (0..of.len()).find(|&place| of[place] == RationalFunction::one() && other[place].is_zero())
     };
@@ -225,8 +224,6 @@ mod tests {
 
     #[test]
     fn every_function_is_carried_as_it_says() {
-        // The matrix has a Jordan block of size 2, a simple eigenvalue, and a block that rotates a
-        // plane.
         let of = matrix(&[
             &[2, 0, 0, 0, 0],
             &[5, 2, 0, 0, 0],
@@ -237,7 +234,6 @@ mod tests {
         let found = carried(&of, Variable(0));
         let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
         assert_eq!(kinds.len(), 3);
-        // For a column P of values, F = wP/vP has the next value wMP/vMP.
         for FunctionWithNext { above, below, next } in found {
             let (moved_above, moved_below) = (image(&above, &of), image(&below, &of));
             let point = matrix(&[&[7], &[-3], &[11], &[2], &[5]]);

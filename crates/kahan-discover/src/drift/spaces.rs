@@ -18,8 +18,8 @@ type Pairs = Vec<Vec<u64>>;
 
 pub(super) struct Points {
     modulus: Modulus,
-    /// The values at each point: monomials, monomials of the image without denominators, and
-    /// factors of cofactors.
+    /// For each point: the monomials, the monomials of the image times a power of the denominator,
+    /// and the factors of cofactors.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 

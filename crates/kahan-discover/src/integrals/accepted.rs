@@ -16,7 +16,7 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::tidy;
 
-/// The most coefficients of a search that may run before known integrals are accepted.
+/// Known integrals are accepted at the latest when a search has more unknowns than this.
 const MOST_AHEAD: usize = 150;
 
 /// Integrals P/Q of at most this length are not simplified.
@@ -111,7 +111,7 @@ impl Accepted<'_> {
         if special.is_empty() {
             return own;
         }
-        // A denominator that is constant at ε = 0 gives a polynomial limit.
+        // If the denominator contains no state at ε = 0, the limit of the quotient is a polynomial.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
@@ -134,12 +134,11 @@ impl Accepted<'_> {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =
             reduced(self.searched, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
-        // The subtracted term may be a product of known factors.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of the accepted integrals in the coordinates of a level set. On a
-    /// proper level set, the defining integrals are constant, and the result is empty.
+    /// Returns the gradients of the accepted integrals in the coordinates of a level set. The list
+    /// is empty on a proper level set, where the integrals that define it are constant.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

@@ -19,7 +19,7 @@ use crate::orbits::hilbert::{Hilbert, random_relations};
 pub struct CompositionIntegrals {
     /// The Hilbert function of a generic orbit of the composed map.
     pub hilbert: Hilbert,
-    /// Whether the composed map preserves each formula.
+    /// For each given formula, whether the composed map preserves it.
     pub formulas: Vec<bool>,
     /// Pairs of formulas of which the composed map preserves only the quotient.
     pub quotients: Vec<(usize, usize)>,

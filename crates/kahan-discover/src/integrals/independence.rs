@@ -68,7 +68,7 @@ impl<'a> Independent<'a> {
         self.step.as_ref()
     }
 
-    /// Returns the rank of the accepted gradients together with `further`.
+    /// Returns the rank of the accepted gradients together with the gradients `further`.
     pub(crate) fn rank_with(&self, further: Vec<Vec<u64>>) -> usize {
         let Some(step) = &self.step else { return 0 };
         let rows = [self.gradients.clone(), further].concat();

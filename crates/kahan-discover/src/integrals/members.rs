@@ -1,5 +1,5 @@
 //! Finds special elements P + cQ for an integral P/Q: elements that factor, have lower degree, or
-//! are free of ε.
+//! do not contain ε.
 //!
 //! Let F(s, t) be a polynomial of degree d. Consider polynomials G, H of degree d − 1 with
 //! ∂(G/F)/∂t = ∂(H/F)/∂s, other than multiples of ∇F. Solutions exist if and only if F factors over
@@ -20,7 +20,7 @@ use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::Oracle;
 use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, tidy};
 
-/// The most products modulo a prime in one search.
+/// The most multiplications modulo a prime in one search.
 const MOST_WORK: u64 = 100_000_000;
 
 const WORK_OF_LOOK: u64 = 50_000;
@@ -158,7 +158,7 @@ struct MemberProperties {
     multiplicity: usize,
     /// The dimension of the space of solutions G, H of ∂(G/F)/∂t = ∂(H/F)/∂s.
     solutions: usize,
-    /// The degree of the greatest common divisor of F's leading form and the form's derivative.
+    /// The degree of gcd(L, L′), where L is F's leading form as a polynomial in one variable.
     at_infinity: usize,
     support: Vec<usize>,
 }
@@ -182,7 +182,8 @@ fn special(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // If F lacks the term sᵈ, ∇F is a solution again. This value of c is divided out.
+    // For one c the polynomial F = P + cQ lacks the term sᵈ, and ∇F is a solution. This root is
+    // removed.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;
@@ -281,7 +282,8 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
     let columns = p.len();
     let mut determinants = Vec::new();
     for _ in 0..2 {
-        // Each row is a random combination of the equations, as (Q | P).
+        // Each row is a random combination of the equations: the coefficients of Q, then those of
+        // P.
         let mixed = (0..columns).map(|_| {
             let mixer: Vec<u64> = (0..p[0].len()).map(|_| modulus.sample(random)).collect();
             q.iter().chain(p).map(|column| modulus.dot(&mixer, column)).collect()
@@ -290,7 +292,7 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
         if echelon.rank_of_first(columns) < columns {
             return None;
         }
-        // The determinant det(P + cQ) is det(c + Q⁻¹P) up to a factor free of c.
+        // The polynomial det(P + cQ) in c equals det(c + Q⁻¹P) times the constant det Q.
         let negated = |row: &Vec<u64>| row[columns..].iter().map(|&entry| modulus.opposite(entry)).collect();
         let coefficients = characteristic(modulus, echelon.rows.iter().map(negated).collect());
         determinants.push(coefficients.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>());
@@ -321,7 +323,6 @@ fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
             row[column] = modulus.plus(row[column], modulus.dot(&factors, &row[column + 1..]));
         }
     }
-    // The entries are the characteristic polynomials of the leading submatrices.
     let mut leading = vec![vec![modulus.one()]];
     for last in 0..size {
         let before = &leading[last];

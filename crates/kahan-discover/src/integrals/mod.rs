@@ -1,6 +1,7 @@
-//! Rational integrals. The search finds integrals as relations of orbits ([`search`]), coefficients
-//! of relations (`relation_coefficients`), and special elements of pencils (`members`). The
-//! integrals are reconstructed over ℚ ([`reconstructed`]), simplified and proved (`accepted`).
+//! Rational integrals. They are found as quotients of relations of orbits ([`search`]), as
+//! coefficients of relations (`relation_coefficients`), and as quotients of special elements of
+//! pencils (`members`). The integrals are reconstructed over ℚ ([`reconstructed`]), simplified and
+//! proved (`accepted`).
 
 pub(crate) mod accepted;
 pub mod composition;

@@ -57,12 +57,10 @@ mod tests {
 
     #[test]
     fn the_euler_top_has_three_sign_changes() {
-        // For ẋ = yz, ẏ = zx, ż = xy each state may change its sign together with time.
         let generators = sign_changes(3, &[0b111; 3]);
         assert_eq!(generators.len(), 3);
         assert_eq!(character(&generators, &[2, 0, 4]), 0);
         assert_ne!(character(&generators, &[1, 1, 0]), 0);
-        // For ẋ = x² + x no sign change of x is compatible with either sign of time.
         assert!(sign_changes(1, &[0b1, 0b0]).is_empty());
     }
 }

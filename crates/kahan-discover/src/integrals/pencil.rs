@@ -37,7 +37,7 @@ pub(crate) enum Source {
 /// A coefficient of a reduced relation that equals an integral P/Q.
 #[derive(Clone, Debug)]
 pub(crate) struct PencilEntry {
-    /// The index of the leading monomial of the relation.
+    /// The index of the relation's leading monomial.
     pub(crate) leading: usize,
     /// The index of the monomial whose coefficient equals P/Q.
     pub(crate) lower: usize,
@@ -73,8 +73,8 @@ impl PencilEntry {
 }
 
 impl Pencil {
-    /// Returns the space at the parameters and ε of `map`. Returns `None` if the space has another
-    /// form there, the map is undefined, or the deadline passes.
+    /// Returns the space at the parameters and ε of `map`. Returns `None` if the basis has another
+    /// form for this map, the map is undefined, or the deadline passes.
     pub fn at(
         &self,
         map: &impl ModularStep,

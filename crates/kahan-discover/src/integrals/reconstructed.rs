@@ -33,8 +33,8 @@ pub struct SearchGoals<'a> {
     pub proved: &'a [Formula],
     /// Polynomial integrals of the flow that the map preserves.
     pub kept: &'a [Polynomial],
-    /// Integrals P/Q that are accepted after the search of their degree, or else before this
-    /// deadline.
+    /// Integrals P/Q that are accepted once the search has passed their degree. The rest is
+    /// accepted at the end of the search, unless this deadline has passed.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
     /// The number and degrees of integrals that orbits show, or `None` to prevent a search.
     pub hilbert: Option<&'a Hilbert>,
@@ -205,8 +205,8 @@ impl Accepted<'_> {
         (members.len() > 1).then_some(members)
     }
 
-    /// Accepts the quotients of all basis elements by the simplest element that does not vanish on
-    /// the level set.
+    /// Divides every basis element by the simplest element that does not vanish on the level set,
+    /// and accepts the quotients as integrals.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();

@@ -13,7 +13,8 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
 use crate::modular::subspace::tidy;
 
-/// Cancels factors of the denominator as often as possible, with `factors` of known integrals.
+/// Removes factors of the denominator as often as possible. For this, a product of `factors` of
+/// known integrals is subtracted from a multiple of the numerator.
 pub(crate) fn reduced(
     searched: &SearchField,
     step: &SampledStep,
@@ -56,8 +57,6 @@ fn without_factor(
             let Some((own, own_scale)) = rest(numerator) else { continue };
             for product in &products {
                 let Some((other, other_scale)) = rest(product) else { continue };
-                // Let own = α t and other = β t. Then β · own_scale · P = α · other_scale · M where
-                // q = 0.
                 let (alpha, beta) = (content_in(&moves, &own), content_in(&moves, &other));
                 let (shape, same) = (own.checked_div(&alpha)?, other.checked_div(&beta)?);
                 let beta = match (shape == same, shape == -&same) {
@@ -133,7 +132,6 @@ mod tests {
 
     #[test]
     fn what_other_integrals_add_to_a_pole_is_taken_away() {
-        // The lattice has the integrals xz/((1 + ε(y − w))(1 − ε(y − w))) and x + y + z + w.
         let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
         let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let symbols = &field.symbols;

@@ -1,7 +1,7 @@
 //! Finds integrals among the coefficients of reduced relations of orbits.
 //!
-//! Each coefficient c of a reduced relation is an integral, even if relations mix several
-//! integrals. The condition c = P/Q at the starts of many orbits is a linear system for P and Q.
+//! Each coefficient c of a reduced relation is an integral. The condition c = P/Q at the starts of
+//! many orbits is a linear system for P and Q.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -50,13 +50,15 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
     let invariant = of_sign(0);
     let widest = places.iter().map(|&place| of_sign(sign_of(place)).len()).max().unwrap_or(0);
     let width = invariant.len() + widest;
-    // Without new monomials of these signs, the search of lower degrees was sufficient.
+    // If no monomial of this degree has a suitable sign, the search of lower degrees was
+    // sufficient.
     let is_new = (unknown.up_to(degree - 1)..unknown.len())
         .any(|index| signs[index] == 0 || places.iter().any(|&place| sign_of(place) == signs[index]));
     if width > reach.coefficients || !is_new {
         return;
     }
-    // All relations of all orbits may exceed the memory.
+    // Only relations that are used are stored, as all relations of all orbits may exceed the
+    // memory.
     let keep_looked_at = |relations: &mut Relations| {
         relations.vectors.retain(|vector| places.iter().any(|&(leading, _)| leading == vector.free));
     };

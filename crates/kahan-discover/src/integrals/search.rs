@@ -33,7 +33,7 @@ impl FormulaLimits {
     /// The largest limits on formulas.
     pub const FULL: Self = FormulaLimits { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
 
-    /// The limits on readable formulas, for searches in which bases describe all other integrals.
+    /// The limits for readable formulas, used if bases or compact forms already give all integrals.
     pub const SHORT: Self = FormulaLimits { coefficients: 300, terms: 60, orders: 2 };
 }
 
@@ -63,7 +63,7 @@ pub fn spanned_pencils<M: ModularStep>(
 ///
 /// The integrals are independent of the functions whose gradients at a point `known` returns. The
 /// list is empty if the deadline passes. For P and Q with N monomials each, the search needs 2N
-/// orbits, and (2N)³ products for each coefficient of a relation.
+/// orbits, and (2N)³ multiplications for each coefficient of a relation.
 pub fn pencils_of_entries<M: ModularStep>(
     map: &M,
     relation_degree: u32,

@@ -2,9 +2,9 @@
 //!
 //! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace with fewer
 //! variables. The varying coefficients c₁, c₂, … of these relations are integrals, and become
-//! unknowns. On one level set, other integrals are not mixed with multiples of the linear
-//! relations. A formula on a level set holds everywhere once each cⱼ is replaced by its own
-//! formula.
+//! unknowns. The relations of an orbit in the coordinates of a level set do not include multiples
+//! of the linear relations. A formula on a level set holds everywhere once each cⱼ is replaced by
+//! its own formula.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -26,7 +26,8 @@ use crate::orbits::hilbert::random_relations;
 /// The coordinates on an affine level set, and the varying coefficients of the linear relations.
 #[derive(Clone, Debug)]
 pub struct AffineSubspace {
-    /// The positions of the varying coefficients, each with the leading monomial of its relation.
+    /// For each varying coefficient: the indices of its relation's leading monomial and of its own
+    /// monomial.
     places: Vec<(usize, usize)>,
     /// The states that serve as coordinates.
     order: Vec<usize>,
@@ -46,7 +47,8 @@ pub struct Coordinate {
 pub struct MapOnSubspace {
     map: ModularMap,
     order: Vec<usize>,
-    /// The states that are no coordinates, with their coefficients of 1 and of the coordinates.
+    /// Each state that is no coordinate, as an affine function of the coordinates, constant term
+    /// first.
     leading: Vec<(usize, Vec<u64>)>,
 }
 
@@ -94,7 +96,8 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // An orbit on the level set of random coefficients must show these coefficients.
+        // An orbit on the level set of random coefficients must have relations with these
+        // coefficients.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));
@@ -135,8 +138,8 @@ impl AffineSubspace {
         &self.order
     }
 
-    /// Returns the map on the level set with these coefficients. Returns `None` if the relations
-    /// have another form.
+    /// Returns the map on the level set with these coefficients. Returns `None` if the linear
+    /// relations have other leading monomials there.
     pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<MapOnSubspace> {
         let modulus = *map.modulus();
         let n = map.dimension();
@@ -229,7 +232,6 @@ impl ModularStep for MapOnSubspace {
         self.order.len()
     }
 
-    /// Returns the sign changes of states on the whole space, and none on a proper level set.
     fn sign_changes(&self) -> Vec<u64> {
         if self.order.len() < self.map.dimension() {
             return Vec::new();

@@ -15,7 +15,8 @@ const SUBSTITUTION_WORK: u64 = 20_000_000;
 pub struct Chart {
     /// The level set.
     pub leaf: AffineSubspace,
-    /// The formulas in the order of the constants. The value of a further integral comes last.
+    /// The formulas of the constants in their order. The last formula is that of a further
+    /// integral, if the level set is restricted to one of its values.
     pub coordinates: Vec<Coordinate>,
 }
 

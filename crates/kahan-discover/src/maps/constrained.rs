@@ -1,8 +1,8 @@
 //! Restricts orbits to a level set of a known integral.
 //!
-//! Suppose that relations mix several integrals, and that one integral F = P/Q is known. Orbits
-//! that start on P − cQ = 0 have relations that mix one integral less. The value c of F is an
-//! unknown.
+//! Suppose that coefficients of relations depend on several integrals, and that an integral F = P/Q
+//! is known. On the level set P − cQ = 0 the coefficients depend on one integral less. The value c
+//! of F is an unknown.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{Random, SplitMix64};
@@ -24,7 +24,8 @@ use crate::modular::subspace::reconstruct_space;
 pub struct Constraint {
     monomials: Monomials,
     coefficients: Vec<(Polynomial, Polynomial)>,
-    /// The index of the coordinate for which P − cQ = 0 is solved. P and Q are linear in it.
+    /// The index of the coordinate for which P − cQ = 0 is solved. P and Q have degree 1 in this
+    /// coordinate.
     linear: usize,
 }
 
@@ -37,8 +38,8 @@ pub struct ConstrainedMap<'a> {
 }
 
 impl Constraint {
-    /// Prepares the integral P/Q from its coefficients. Returns `None` if no coordinate is linear
-    /// in P and Q.
+    /// Prepares the integral P/Q, given the monomials and their coefficients in P and Q. Returns
+    /// `None` if P and Q have degree 1 in no coordinate.
     #[must_use]
     pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
         let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());
@@ -97,7 +98,6 @@ impl ModularStep for ConstrainedMap<'_> {
             let base = self.residual(&point);
             point[self.constraint.linear] = modulus.one();
             let slope = modulus.minus(self.residual(&point), base);
-            // The slope is a nonzero polynomial, so almost every random point succeeds.
             if let Some(inverse) = modulus.inverse(slope) {
                 point[self.constraint.linear] = modulus.opposite(modulus.times(base, inverse));
                 return point;
@@ -107,8 +107,8 @@ impl ModularStep for ConstrainedMap<'_> {
 }
 
 impl Accepted<'_> {
-    /// Searches on a level set of the integral that is the quotient of the first two basis
-    /// elements.
+    /// Searches further integrals on the level sets of the first basis element divided by the
+    /// second.
     pub(crate) fn search_constrained(
         &mut self,
         basis: &[Polynomial],

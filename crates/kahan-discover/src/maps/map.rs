@@ -1,7 +1,7 @@
 //! Kahan's map modulo a prime, with residues as parameters and ε.
 //!
-//! A step is an elimination on the matrix A(x,ε) = I − ε f′(x). Removable poles count as poles, but
-//! random points almost never hit one.
+//! A step solves a linear system with the matrix A(x,ε) = I − ε f′(x). Points at which A is
+//! singular are poles, even if the map has a limit there. A random point is almost never a pole.
 
 use crate::integrals::parity::sign_changes;
 use crate::maps::modular_step::ModularStep;

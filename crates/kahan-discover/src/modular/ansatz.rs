@@ -70,7 +70,6 @@ fn rational_from_residues(residues: impl Iterator<Item = (u64, u64)>) -> Option<
     let (mut value, mut product) = (BigInt::from(0), BigInt::from(1));
     for (prime, residue) in residues {
         let prime = BigInt::from(prime);
-        // Solve value + product·k ≡ residue modulo the new prime for k.
         let inverse = product.extended_gcd(&prime).x;
         let step = ((BigInt::from(residue) - &value) * inverse).mod_floor(&prime);
         value += &product * step;

@@ -19,7 +19,7 @@ pub struct Echelon {
 
 impl Echelon {
     /// Computes the echelon form of `rows`, each with `columns` entries. The cost is rows · rank ·
-    /// columns / 2 products.
+    /// columns / 2 multiplications.
     #[must_use]
     pub fn of(modulus: &Modulus, rows: Vec<Vec<u64>>, columns: usize) -> Self {
         Self::within(modulus, rows, columns, &Deadline::never()).expect("there is no deadline")
@@ -122,7 +122,7 @@ fn cleared(
     deadline: &Deadline<'_>,
 ) -> Option<()> {
     let free: Vec<usize> = (0..columns).filter(|column| pivots.binary_search(column).is_err()).collect();
-    // Each tail has the entries of a cleared row in columns without a pivot, the last row first.
+    // The entries of cleared rows in columns without a pivot, from the last row to the first.
     let mut tails: Vec<Vec<u64>> = Vec::with_capacity(rows.len());
     for (row, pivot) in rows.iter_mut().zip(pivots).rev() {
         if deadline.passed() {
@@ -146,7 +146,6 @@ fn cleared(
 /// A row of sums of products, which are reduced modulo p only before they overflow.
 struct Sums {
     sums: Vec<u128>,
-    /// The greatest number of products in an entry.
     products: usize,
 }
 
@@ -155,7 +154,8 @@ impl Sums {
         Sums { sums: row.into_iter().map(Modulus::unreduced).collect(), products: 0 }
     }
 
-    /// Adds a multiple of `row` from column `from` on. The column must not decrease between calls.
+    /// Adds `factor` times `row`, from column `from` on. Later calls must not have a smaller
+    /// `from`.
     fn add_multiple(&mut self, modulus: &Modulus, factor: u64, from: usize, row: &[u64]) {
         if factor == 0 {
             return;

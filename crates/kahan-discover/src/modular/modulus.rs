@@ -1,7 +1,7 @@
 //! Arithmetic modulo a prime of 61 bits in Montgomery form: a residue a is stored as a·2⁶⁴ mod p.
 //!
 //! Stored residues are below p, so equal residues are equal numbers. Orbits, matrices and
-//! interpolations take millions of products, for which 128-bit remainders would be too slow.
+//! interpolations take millions of multiplications, for which 128-bit remainders would be too slow.
 
 use kahan_algebra::prime_field::{PrimeField, Random};
 use kahan_algebra::rational::Rational;
@@ -36,7 +36,8 @@ impl Modulus {
 
     pub(crate) fn of(plain: PrimeField) -> Self {
         let prime = plain.prime();
-        // Newton's iteration for 1/p modulo 2⁶⁴ doubles the number of correct bits, at first three.
+        // Newton's iteration for 1/p modulo 2⁶⁴ starts with p, which has three correct bits, and
+        // doubles their number five times.
         let mut inverse = prime;
         for _ in 0..5 {
             inverse = inverse.wrapping_mul(2u64.wrapping_sub(prime.wrapping_mul(inverse)));
@@ -99,8 +100,9 @@ impl Modulus {
         ((sum + u128::from(multiple) * u128::from(self.prime)) >> 64) as u64
     }
 
-    /// The most products that may be added to [`unreduced`](Self::unreduced). For p < 2⁶², a·2⁶⁴
-    /// and eight products together are below 3·2¹²⁶.
+    /// The most products that may be added to [`unreduced(a)`](Self::unreduced) for a < p. Since
+    /// p < 2⁶², the sum a·2⁶⁴ and eight products are together below 3·2¹²⁶, which fits into 128
+    /// bits.
     pub(crate) const PRODUCTS: usize = 8;
 
     /// Starts a sum of products with the term `a`, without reduction modulo p.
@@ -112,7 +114,7 @@ impl Modulus {
     /// Reduces a sum of products modulo p.
     #[inline]
     pub(crate) fn reduced(&self, sum: u128) -> u64 {
-        // The sum divided by 2⁶⁴ is below p + 8p²/2⁶⁴ < 3p, so the quotient is below 4p.
+        // The sum is at most p·2⁶⁴ + 8p². Divided by 2⁶⁴ it is below 3p, so `quotient` is below 4p.
         let quotient = self.quotient(sum);
         let quotient = if quotient >= 2 * self.prime { quotient - 2 * self.prime } else { quotient };
         if quotient >= self.prime { quotient - self.prime } else { quotient }
@@ -241,7 +243,6 @@ mod tests {
         }
     }
 
-    /// Tests the largest prime below 2⁶² with the largest numbers.
     #[test]
     fn the_largest_sums_of_products_fit() {
         let plain = PrimeField::new((1 << 62) - 57).unwrap();

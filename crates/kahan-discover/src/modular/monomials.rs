@@ -7,7 +7,8 @@ use crate::modular::modulus::Modulus;
 pub struct Monomials {
     variables: usize,
     exponents: Vec<Vec<u32>>,
-    /// Each monomial except 1 is the product of this earlier monomial and this variable.
+    /// For each monomial except 1: the index of an earlier monomial and the variable by which to
+    /// multiply it.
     recipes: Vec<(usize, usize)>,
     counts: Vec<usize>,
 }
@@ -27,7 +28,8 @@ impl Monomials {
             for variable in (0..variables).rev() {
                 let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
                 for earlier in begin..end {
-                    // Each monomial is made once, from its first variable.
+                    // A monomial is made only by multiplication with its first variable, and so
+                    // only once.
                     if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
                         let mut exponents = monomials.exponents[earlier].clone();
                         exponents[variable] += 1;
@@ -89,7 +91,7 @@ impl Monomials {
         &self.exponents[index]
     }
 
-    /// Evaluates all monomials, each by one product.
+    /// Evaluates all monomials with one multiplication each.
     #[must_use]
     pub fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
         let mut values = Vec::with_capacity(self.len());

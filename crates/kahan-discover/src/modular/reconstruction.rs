@@ -34,8 +34,8 @@ const MOST_SAMPLES: usize = 8;
 /// Reconstructs the oracle's functions over ℚ. The unknown with index k becomes `variables[k]`.
 ///
 /// Returns `None` if degrees or coefficients are too large, the deadline passes, or the functions
-/// are not rational. For functions of m coefficients, each prime needs m + 4 calls of the oracle,
-/// and each function m³ products.
+/// are not rational. If the functions have m coefficients, each prime needs m + 4 calls of the
+/// oracle and m³ multiplications for each function.
 pub fn reconstruct(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],
@@ -144,8 +144,8 @@ impl Reconstruction<'_> {
             .collect()
     }
 
-    /// Returns the coefficients of each function, numerator first. The last nonzero coefficient is
-    /// 1.
+    /// Returns for each function the coefficients of its numerator, then those of its denominator.
+    /// The last nonzero coefficient is 1.
     fn coefficients(&mut self, modulus: Modulus, shapes: &[MonomialSupport]) -> Option<Vec<Vec<u64>>> {
         let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
         let mut samples = Vec::with_capacity(wanted);
@@ -170,7 +170,7 @@ impl Reconstruction<'_> {
     }
 }
 
-/// Returns whether functions agree with the oracle at a random point modulo a random prime.
+/// Returns whether `functions` have the oracle's values at a random point modulo a random prime.
 pub fn confirms(
     oracle: &mut Oracle<'_>,
     functions: &[RationalFunction],

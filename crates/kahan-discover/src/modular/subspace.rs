@@ -36,7 +36,7 @@ pub struct Form {
 pub struct PolynomialSpace {
     /// The monomials of the basis and the leading monomials.
     pub form: Form,
-    /// The coefficients of each element on the support.
+    /// For each element, the coefficients of the monomials in `form.support`.
     pub rows: Vec<Vec<u64>>,
 }
 
@@ -61,8 +61,8 @@ impl PolynomialSpace {
         if terms(&high_first) < terms(&low_first) { high_first } else { low_first }
     }
 
-    /// Returns the span of vectors on the support of `form`. Returns `None` if the basis has
-    /// another form.
+    /// Returns the span of vectors whose entries are coefficients of the monomials in
+    /// `form.support`. Returns `None` if the basis has another form.
     #[must_use]
     pub fn of_form(modulus: &Modulus, form: &Form, vectors: Vec<Vec<u64>>) -> Option<Self> {
         let echelon = Echelon::of(modulus, vectors, form.support.len());
@@ -150,8 +150,8 @@ impl Names {
 }
 
 /// Reconstructs the basis of a space over ℚ, as polynomials with coprime integer coefficients. The
-/// function `at` returns the space at values of the unknowns. Returns `None` if the form of the
-/// space changes, or where [`reconstruct`] fails.
+/// function `at` returns the space at values of the unknowns. Returns `None` if a space has another
+/// `form`, or if [`reconstruct`] fails.
 pub fn reconstruct_space(
     names: &Names,
     monomials: &Monomials,
@@ -198,7 +198,7 @@ pub(crate) fn combination(
     })
 }
 
-/// Divides a polynomial by all factors that are free of states. The first printed term becomes
+/// Divides a polynomial by all factors that contain no state. The first printed term becomes
 /// positive.
 #[must_use]
 pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {

@@ -13,7 +13,7 @@ pub(crate) const SPARE: usize = 4;
 
 /// Returns max(deg P, deg Q) of the function P/Q in lowest terms with `values` at distinct
 /// `points`. Returns `None` if more points are needed or the deadline passes. The cost is 4
-/// products for each pair of the first 2·degree points.
+/// multiplications for each pair of the first 2·degree points.
 #[must_use]
 pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline<'_>) -> Option<usize> {
     let mut points = points.to_vec();

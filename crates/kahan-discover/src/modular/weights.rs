@@ -1,8 +1,7 @@
 //! Scaling symmetries, which reduce the number of unknowns to interpolate.
 //!
-//! A choice of weights for states, parameters and ε is valid if all equations ε ẋᵢ ~ xᵢ are
-//! homogeneous. Coefficients of invariants are then homogeneous. The valid choices form a vector
-//! space.
+//! A choice of weights for states, parameters and ε is valid if all terms of ε ẋᵢ have the weight
+//! of xᵢ. Coefficients of invariants are then homogeneous. The valid choices form a vector space.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Monomial, Variable};
@@ -36,7 +35,7 @@ impl Weights {
             let Some(divisor) = divisors.next() else { continue };
             equations.extend(divisors.map(|other| difference(&other, &divisor)));
             for (monomial, _) in component.numerator().terms() {
-                // The term p/q of component i times ε must have the weight of xᵢ.
+                // The weights of ε and of the term p/q in component i must sum to the weight of xᵢ.
                 let mut row = difference(&exponents(monomial), &divisor);
                 row[count - 1] = &row[count - 1] + &Rational::one();
                 row[i] = &row[i] - &Rational::one();
@@ -157,7 +156,6 @@ mod tests {
 
     #[test]
     fn the_number_of_symmetries_is_known() {
-        // Scalings of three coordinates and of time determine the weights of three coefficients.
         assert_eq!(rank(&weights("xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;", false).0), 4);
         assert_eq!(rank(&weights("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;", false).0), 2);
         assert_eq!(rank(&weights("xdot = x*(1 - y); ydot = y*(x - 1);", false).0), 0);

@@ -25,11 +25,10 @@ pub struct DegreeLimits<'a> {
     pub deadline: &'a Deadline<'a>,
 }
 
-/// With fewer degrees than this, the limit on degrees may be four times as large.
 const FEWEST: usize = 6;
 
 /// Returns the degrees d₀ = 1, d₁, … of iterates on a random line. The list is empty if the map is
-/// undefined there. An iterate of degree d takes 2d evaluations and 8d² products.
+/// undefined there. An iterate of degree d takes 2d evaluations of the map and 8d² multiplications.
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
@@ -48,7 +47,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
                 if limits.deadline.has_stopped() {
                     break None;
                 }
-                // No further iterate is defined at enough points of the line.
+                // Too few points of the line have an image under this iterate, so the list ends.
                 return if known == 1 { Vec::new() } else { degrees };
             }
             let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();

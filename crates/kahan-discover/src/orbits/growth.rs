@@ -62,8 +62,8 @@ impl fmt::Display for Growth {
     }
 }
 
-/// The largest relative difference between ratios that count as constant. Ratios of the sequence
-/// n^k decrease like 1 + k/n.
+/// The largest relative difference between ratios that are treated as constant. Ratios of the
+/// sequence n^k decrease like 1 + k/n.
 const STEADY: f64 = 0.08;
 
 impl GrowthVerdict {
@@ -157,13 +157,11 @@ mod tests {
         assert_eq!(growth([1, 2, 3, 3, 3, 3, 3]), Growth::Bounded);
         assert_eq!(growth([1, 2, 4, 6, 8, 10, 12]), Growth::Linear);
         assert_eq!(growth((0..12).map(|n| 2 * n * n + 1)), Growth::Quadratic);
-        // Weierstrass's degrees are 3n²/8 plus a pattern of period at most 8.
         let weierstrass = (0..40).map(|n| (3 * n * n + 8) / 8 + usize::from(n % 8 == 1));
         assert_eq!(growth(weierstrass), Growth::Quadratic);
         let Growth::Exponential { entropy } = growth((0..8).map(|n| 3usize.pow(n))) else { panic!() };
         assert!((entropy - 3f64.ln()).abs() < 1e-12);
         assert_eq!(growth([1, 2, 4]), Growth::Undecided);
-        // Cubic growth is undecided for any number of degrees.
         assert_eq!(growth((0..30).map(|n| n * n * n + 1)), Growth::Undecided);
         assert_eq!(growth((0..12).map(|n| n * n * n + 1)), Growth::Undecided);
     }

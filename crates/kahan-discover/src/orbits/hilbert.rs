@@ -18,7 +18,7 @@ pub struct Hilbert {
     /// The numbers of all monomials of degree ≤ 1, ≤ 2, …, which bound h.
     pub full: Vec<usize>,
     /// The number of independent algebraic integrals visible up to this degree: the codimension
-    /// that the relations give to the closure of the orbit.
+    /// that the relations give to the Zariski closure of the orbit.
     pub integrals: usize,
     /// The least degree of a relation, if one was observed.
     pub relation_degree: Option<u32>,
@@ -41,7 +41,7 @@ const MOST_QUADRATIC_MONOMIALS: usize = 900;
 const HIGHEST_DEGREE: u32 = 10;
 
 /// The most monomials for any time limit. For N monomials, relations on one orbit take several
-/// times N² integers of 8 bytes, and N³ products.
+/// times N² integers of 8 bytes, and N³ multiplications.
 pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
 
 const MOST_SAMPLES: usize = 8;
@@ -81,7 +81,7 @@ impl Hilbert {
     /// Follows orbits modulo two primes from two points each, with random parameters and ε.
     ///
     /// Returns `None` if the map is undefined, every orbit ends at a pole, or the deadline allows
-    /// no orbit. The cost is 4 N² h(degree) products, where N = C(n + degree, n) counts the
+    /// no orbit. The cost is 4 N² h(degree) multiplications, where N = C(n + degree, n) counts the
     /// monomials.
     pub fn of(
         searched: &SearchField,
@@ -146,7 +146,8 @@ impl Hilbert {
         }
     }
 
-    /// Joins two results. The larger of two ranks is the generic rank.
+    /// Combines the results of two orbits. Of different ranks the larger is kept, since the generic
+    /// rank is the largest.
     fn with(mut self, other: Hilbert) -> Self {
         self.agree &= self.values == other.values && self.integrals == other.integrals;
         if other.values > self.values {
@@ -160,8 +161,8 @@ impl Hilbert {
         self
     }
 
-    /// Returns the least degree d such that the relations of degree ≤ d define the closure of a
-    /// generic orbit. Returns `None` without relations, or if the deadline passes.
+    /// Returns the least degree d such that the relations of degree ≤ d define the Zariski closure
+    /// of a generic orbit. Returns `None` without relations, or if the deadline passes.
     pub fn defining_degree(
         &self,
         map: &impl ModularStep,

@@ -23,11 +23,11 @@ pub struct IntegralBound {
     pub parameters: Vec<u64>,
 }
 
-/// The primes of the search, all 3 modulo 4, so that square roots are powers. In small fields
-/// random points are often zeros. In large fields eigenvalues are rarely equal by chance.
+/// All primes are 3 modulo 4, so that square roots are powers. Small primes make more points zeros,
+/// and large primes make eigenvalues equal by chance less often.
 const PRIMES: [u64; 6] = [1_000_003, 7, 31, 11, 103, 19];
 
-/// The most variables of a field. The eigenvalues cost n⁴ products for n variables.
+/// The most variables of a field. The eigenvalues cost n⁴ multiplications for n variables.
 const MOST_VARIABLES: usize = 24;
 
 /// The most trials if the bound cannot end a search early.
@@ -36,7 +36,8 @@ pub const FEW_TRIALS: usize = 24_000;
 /// The most trials if the bound may save a long search.
 pub const MANY_TRIALS: usize = 400_000;
 
-/// The most products of all trials together. One trial takes about n³ products in n variables.
+/// The most multiplications of all trials together. One trial takes about n³ multiplications in n
+/// variables.
 const WORK: usize = 100_000_000;
 
 const TRIALS_A_SAMPLE: usize = 40;
@@ -71,7 +72,7 @@ pub fn integral_bound(
     let trials = trials.min(WORK / (n * n * n).max(1));
     for sample in 0..trials / TRIALS_A_SAMPLE {
         let prime = PRIMES[sample % PRIMES.len()];
-        // Multiplicities of eigenvalues, at most n, must be nonzero modulo the prime.
+        // The prime must not divide the multiplicity of an eigenvalue, which is at most n.
         if prime <= n as u64 {
             continue;
         }
@@ -120,7 +121,6 @@ fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -
                 if open.is_empty() {
                     return values.into_iter().collect();
                 }
-                // Zeros of a field often have states that vanish or are equal.
                 let value = match random.below(4) {
                     0 => 0,
                     1 => modulus.one(),
@@ -185,7 +185,7 @@ fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> O
 }
 
 /// Returns the number of different λ² ≠ 0 for eigenvalues λ in the algebraic closure. The prime
-/// must exceed the number n of rows. The cost is n⁴ products.
+/// must exceed the number n of rows. The cost is n⁴ multiplications.
 fn different_squares(modulus: &Modulus, matrix: &[Vec<u64>]) -> usize {
     let mut polynomial = characteristic(modulus, &product(modulus, matrix, matrix));
     polynomial.drain(..polynomial.iter().take_while(|&&coefficient| coefficient == 0).count());
@@ -289,21 +289,16 @@ mod tests {
         let five = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);
             ddot = d*(e + a - b - c); edot = e*(a + b - c - d);";
         assert_eq!(of(five, None), Some(3));
-        // Solutions are powers of exponentials, which have no rational invariants.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", None), Some(0));
         assert_eq!(of("xdot = x; ydot = -y;", None), Some(1));
         assert_eq!(of("xdot = s*(y - x); ydot = x*(r - z) - y; zdot = x*y - b*z;", None), Some(0));
         assert_eq!(of("xdot = x^2 + y*z + 1; ydot = x*y - z^2; zdot = y^2 + 3*x;", None), Some(0));
-        // The fields have no zero, or only eigenvalues 0 at their zeros.
         assert_eq!(of("xdot = 1; ydot = x;", None), None);
         assert_eq!(of("xdot = y^2; ydot = 0;", None), Some(2));
-        // The search finds zeros of four dense components by chance.
         let dense = "xdot = x^2 - 3*x*y + 2*y*z + w^2 - x + 2*y + 1; ydot = 2*x^2 + x*y - 5*y*z + z*w + 3;
             zdot = x*z - 4*y^2 + 7*x - y + 2*w; wdot = w*x - 3*y*z + z^2 - 5;";
         assert_eq!(of(dense, None), Some(0));
-        // Here λ₁ = 2/(1 + ε²) and λ₂ = 1. The map's eigenvalues satisfy μ₁ = μ₂².
         assert_eq!(of("xdot = 2*x/(1 + eps^2); ydot = y;", None), None);
-        // A fixed ε may allow more integrals, as Lotka and Volterra's map shows at ε = 1.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", Some(kahan_algebra::rational::Rational::one())), None);
     }
 }

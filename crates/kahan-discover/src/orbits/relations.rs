@@ -20,7 +20,7 @@ const SPARE: usize = 6;
 pub struct Relations {
     /// The first point of the orbit.
     pub start: Vec<u64>,
-    /// The rank of the monomials of degree ≤ 0, ≤ 1, … on the orbit.
+    /// The number of monomials of degree ≤ 0, ≤ 1, … that are linearly independent on the orbit.
     pub ranks: Vec<usize>,
     /// The relations in reduced form, ordered by their leading monomials.
     pub vectors: Vec<NullVector>,
@@ -33,7 +33,7 @@ pub struct Relations {
 impl Relations {
     /// Returns the relations on an orbit up to the degree of `monomials`. Returns `None` at a pole,
     /// or if the deadline passes. With N monomials and rank r, the cost is N + 6 steps and N² r
-    /// products.
+    /// multiplications.
     #[must_use]
     pub fn on_orbit(
         map: &impl ModularStep,
@@ -56,8 +56,8 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// Returns the codimension that the relations give to the closure of the orbit: the rank of
-    /// their gradients at the start.
+    /// Returns the codimension that the relations give to the Zariski closure of the orbit: the
+    /// rank of their gradients at the start.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         self.normals(modulus, monomials).len()

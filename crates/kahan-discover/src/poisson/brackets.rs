@@ -132,7 +132,6 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
     }
-    // The test stops a recursion through all smaller sets.
     if of < count {
         return Vec::new();
     }
@@ -162,7 +161,7 @@ fn tensor(
     invariant_tensor(symbols, &density, &casimirs?, &mut budget)
 }
 
-/// Divides the tensor of a bracket by common factors that are free of states. The first coefficient
+/// Divides the tensor of a bracket by common factors that contain no state. The first coefficient
 /// becomes positive.
 fn coprime(
     symbols: &Symbols,

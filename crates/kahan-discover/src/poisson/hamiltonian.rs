@@ -32,7 +32,7 @@ const SPARE: usize = 6;
 /// A decomposition f = K∇H with a constant antisymmetric matrix K.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hamiltonian {
-    /// The matrix K, row by row, free of states.
+    /// The matrix K, row by row. Its entries contain no state.
     pub tensor: Vec<Vec<RationalFunction>>,
     /// The function H, a polynomial in the states of degree at most three.
     pub hamiltonian: RationalFunction,
@@ -125,7 +125,8 @@ fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     let n = map.dimension();
     let places = pairs(n);
     let mut rows = Vec::new();
-    // The matrix f′ is affine in x, so n + 1 points in general position suffice.
+    // The matrix f′ is affine in x, so n + 1 points in general position suffice. One more is taken
+    // for safety.
     for _ in 0..n + 2 {
         let (_, slopes) = map.field(&map.point(random));
         for &(i, j) in &places {
@@ -266,7 +267,7 @@ impl Hamiltonian {
             .collect()
     }
 
-    /// Returns numerator and denominator of the modified Hamiltonian H̃, up to a factor free of
+    /// Returns numerator and denominator of the modified Hamiltonian H̃, up to a factor without
     /// states.
     ///
     /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε is an integral of the map (Celledoni,

@@ -105,8 +105,8 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // Returns the rank of formulas without index `but`, bases, compact forms, and perhaps
-            // the modified Hamiltonian.
+            // Returns the rank of all gradients except that of formula `but`, and with `own` if
+            // `with_own` is true.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

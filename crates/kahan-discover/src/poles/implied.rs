@@ -1,10 +1,11 @@
 //! Computes the degrees of iterates that singularity patterns imply, confined or not.
 //!
 //! Iterate n is restricted to a generic line. Let Zₙ(C) count the points of the line that reach the
-//! curve C at step n before any other followed curve. The patterns determine later arrivals:
-//! (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·(order to which B meets C after k steps), over curves B and
-//! k. For a map of degree d, shared powers of δ cancel: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power shared in
-//! B's step after k). Source: Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order.
+//! curve C at step n before any other followed curve. Move each point of a curve B by δ off the
+//! curve. Then the patterns determine how its images meet the curves: (degree of C)·dₙ = Zₙ(C) + Σ
+//! Zₙ₋ₖ(B)·(order to which B meets C after k steps), over curves B and k. For a map of degree d,
+//! shared powers of δ cancel: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power shared in B's step after k). Source:
+//! Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order.
 
 use super::jet::Image;
 

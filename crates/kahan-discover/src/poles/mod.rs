@@ -82,7 +82,7 @@ const LONGEST: usize = 200;
 /// The most samples of parameters, ε and a point of the curve. Some lines do not meet the curve.
 const MOST_SAMPLES: usize = 40;
 
-/// The share of the time for degrees of iterates.
+/// The fraction of the time limit that the degrees of iterates may take.
 const FOR_DEGREES: f64 = 0.4;
 
 /// Follows curves that a system's map sends to infinity or contracts, for a number of steps.
@@ -164,8 +164,8 @@ impl Follower<'_> {
         Pattern { curve, images: decided.unwrap_or_default(), steps, confined }
     }
 
-    /// Returns the images of a curve modulo one prime. A curve may have points modulo few primes,
-    /// so every sample has its own prime.
+    /// Returns the images of a curve modulo one prime. Every sample has its own prime, because a
+    /// curve may have points modulo some primes only.
     fn images(&self, curve: Option<&Polynomial>, random: &mut SplitMix64) -> Option<Vec<Image>> {
         let mut length = SHORTEST;
         for _ in 0..MOST_SAMPLES {

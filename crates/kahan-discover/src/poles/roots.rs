@@ -23,7 +23,6 @@ mod tests {
             if value < 0 { modulus.opposite(size) } else { size }
         };
         let of = |coefficients: &[i64]| coefficients.iter().map(|&c| number(c)).collect::<Vec<_>>();
-        // The polynomial is (x − 2)(x − 3)(x + 5)(x² + 1), and −1 is not a square modulo 2⁶¹ − 1.
         let found = root(&modulus, &of(&[30, -19, 30, -18, 0, 1]), &mut random).unwrap();
         assert!([2, 3, -5].map(number).contains(&found));
         assert_eq!(root(&modulus, &of(&[1, 0, 1]), &mut random), None);

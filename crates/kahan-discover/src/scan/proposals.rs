@@ -40,7 +40,8 @@ pub(super) fn proposals(
     deadline: &Deadline<'_>,
 ) -> Vec<Proposal> {
     let symbols = &system.field.symbols;
-    // Points without observed ranks carry no information. At ε = 0 the map is the identity.
+    // Points without observed ranks are left out. Points with ε = 0, where the map is the identity,
+    // are also left out.
     let zero_step = |values: &[Rational]| {
         scan.names.iter().zip(values).any(|(name, value)| name == "eps" && value.is_zero())
     };
@@ -108,7 +109,7 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     format!("{} = {}", text(&left), text(&right))
 }
 
-/// A search for formulas under relations, as claims about the given field.
+/// Searches formulas that hold under a relation, and claims them for the given field.
 struct Prover<'a> {
     system: &'a System,
     options: &'a Options,
@@ -144,7 +145,8 @@ impl<'a> Prover<'a> {
     /// Restricts the system to zeros of the polynomial. Eliminates a parameter or fixes ε.
     fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
-        // With a fixed degree each search ends early, since a scan has many relations.
+        // With a fixed degree the search does not continue to higher degrees, so there is time for
+        // other relations.
         let degree = Some(self.options.degree.unwrap_or_else(|| default_degree(symbols.dimension())));
         let mut options = Options { seconds, degree, ..self.options.clone() };
         let mut relations = Relations::default();
@@ -154,7 +156,8 @@ impl<'a> Prover<'a> {
             options.eps = Some(value.as_polynomial()?.as_constant()?);
             return Some((System { claims: Vec::new(), ..self.system.clone() }, options));
         }
-        // The field may contain only even powers of ε, and the relation odd powers.
+        // A relation that contains ε is rejected, since it may contain odd powers of ε where the
+        // field contains only even powers.
         let is_free = !value.numerator().contains(symbols.epsilon())
             && !value.denominator().contains(symbols.epsilon());
         let system = is_free.then(|| self.system.on(&relations))??;

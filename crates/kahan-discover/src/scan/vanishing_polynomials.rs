@@ -1,5 +1,5 @@
 //! Finds polynomials of low degree in the scanned parameters that vanish only at special grid
-//! points.
+//! points, where degrees or ranks are not generic.
 //!
 //! Simple polynomials come first: a single value, linear polynomials, two monomials. Special points
 //! at which an earlier polynomial vanishes are no evidence for later ones. Numbers are residues
@@ -31,7 +31,8 @@ pub(super) struct VanishingPolynomial {
 
 /// The number of zeros required beyond the number of coefficients of a polynomial.
 const SPARE_POINTS: usize = 2;
-/// The highest probability (share of special points)^(zeros − coefficients) of a coincidence.
+/// The highest probability of an accidental polynomial: p^(zeros − coefficients), where p is the
+/// fraction of special points on the grid.
 const CHANCE: f64 = 0.01;
 /// The number of random choices of points through which linear polynomials are tried.
 const SAMPLES: usize = 3000;
@@ -41,7 +42,7 @@ const LARGEST: u64 = 1000;
 /// The most special points from which candidates are made.
 const MOST_POINTS: usize = 600;
 
-/// Finds polynomials that explain special points at which no polynomial of `known` vanishes, the
+/// Finds polynomials that vanish at special points at which no polynomial of `known` does, the
 /// simplest first.
 pub(super) fn vanishing_polynomials(grid: &Grid, known: &[VanishingPolynomial]) -> Vec<VanishingPolynomial> {
     let mut search = Search::new(grid);
@@ -86,7 +87,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Tries linear polynomials through random unexplained points, first in few parameters.
+    /// Tries linear polynomials through random special points at which no polynomial found so far
+    /// vanishes, first in few parameters.
     fn linear(&mut self) {
         let mut random = SplitMix64::new(0);
         for size in 2..=self.names.len().min(MOST_NAMES) {
@@ -132,7 +134,7 @@ impl<'a> Search<'a> {
     }
 
     /// Tries equations m = c m′ for coprime monomials m and m′, where the number c is the most
-    /// frequent quotient at unexplained points.
+    /// frequent quotient at special points where no polynomial found so far vanishes.
     fn two_monomials(&mut self) {
         let monomials = Monomials::new(self.names.len(), HIGHEST_DEGREE);
         let mut pairs: Vec<(usize, usize)> = (0..monomials.len())
@@ -181,7 +183,8 @@ impl<'a> Search<'a> {
         value.to_string().split('/').all(is_small).then_some(value)
     }
 
-    /// Accepts a polynomial that vanishes at enough unexplained points and at no ordinary point.
+    /// Accepts a polynomial that vanishes at no generic point, and at enough special points at
+    /// which no earlier polynomial vanishes.
     fn admit(&mut self, polynomial: Polynomial, coefficients: usize) {
         let modulus = self.modulus;
         let terms: Vec<(Monomial, u64)> = polynomial

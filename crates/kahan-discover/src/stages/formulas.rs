@@ -51,7 +51,6 @@ impl Search<'_> {
         let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
         let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
         let in_compact_forms = self.rank(&own.iter().flatten().cloned().collect::<Vec<_>>());
-        // Only short formulas are searched if bases or compact forms give all integrals.
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let in_bases = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>();
         let are_enough = in_bases.max(in_compact_forms) >= shown;
@@ -81,7 +80,6 @@ impl Search<'_> {
         let mut all_integrals = integrals(searched, self.claims, &aims, random, until_formulas);
         let are_proved =
             add_modified(self.modified, searched, self.claims, symbols, &mut all_integrals, random);
-        // `Work::found` ignores repetitions.
         all_integrals.iter().for_each(tell_if_short);
 
         let mut gradients: Vec<Vec<u64>> =
@@ -101,7 +99,6 @@ impl Search<'_> {
                 integrals.push(formula);
             }
         };
-        // Returns whether the modified Hamiltonians make a formula dependent on the others.
         let says_the_same = |formula: &Formula| {
             let mut rows = [&gradients[..], &own.iter().flatten().cloned().collect::<Vec<_>>()].concat();
             let rank = self.rank(&rows);

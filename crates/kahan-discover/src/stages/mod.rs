@@ -87,7 +87,7 @@ pub(crate) fn discover_within(
     let usual = default_degree(searched.dimension());
     let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&searched, degree, random, &for_orbits);
-    // A search of lower degree takes a fraction of the time.
+    // If time ran out, relations of a lower degree take far less time.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
         let lower = if degree > usual { usual } else { degree / 2 };
         hilbert = Hilbert::of(&searched, lower, random, &for_structure);
@@ -168,7 +168,6 @@ pub(crate) fn discover_within(
             let until = Deadlines::shares_of(work, end.left());
             let next = search.found(hilbert.as_ref(), Some(&found), random, &until);
             is_stopped |= until.has_stopped();
-            // If time ran out, the earlier search may have found more formulas.
             found = if next.integrals_found() < found.integrals_found() {
                 SearchResult { of: Integrals { independent: next.of.independent, ..found.of }, ..found }
             } else {

@@ -17,7 +17,8 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, brackets, of_structure, 
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The share of the time for formulas that compact forms or brackets make less important.
+/// The fraction of the time that formulas get if compact forms or brackets make them less
+/// important.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
@@ -122,8 +123,8 @@ impl Search<'_> {
         let of_tensor =
             tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
-        // A bracket of full rank implies a density. The formula is long if no density was found
-        // from the bracket.
+        // A bracket of full rank implies a density. If its formula was not found, it is long, so
+        // little time is spent on it.
         let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
         let for_formulas = until.after_share(SHARE_FOR_FORMULAS);
         let until_densities = if is_implied { &for_formulas } else { until };

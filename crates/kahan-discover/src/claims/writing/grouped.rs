@@ -1,4 +1,5 @@
-//! Writes sums as sums of products, for example 1 − ε²(b² − ac)(gy + hz)² for ten expanded terms.
+//! Writes sums as sums of products, for example 1 − ε²(b² − ac)(gy + hz)² instead of its ten
+//! expanded terms.
 //!
 //! A sum is split into groups by powers of ε or by a common factor. Each group is written
 //! recursively, and the shortest text is chosen.
@@ -89,7 +90,6 @@ impl Writer<'_> {
         Some([part(true), part(false)].into_iter().filter(|part| !part.is_zero()).collect())
     }
 
-    /// Writes each group as a product, in the order of terms of `polynomial`.
     fn parts(
         &self,
         polynomial: &Polynomial,

@@ -23,10 +23,10 @@ use powers::{Scale, by_powers};
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
-/// The least number of terms of a factor that is written in powers.
+/// The least number of terms of a polynomial that is written in powers of another polynomial.
 const FEW_TERMS: usize = 12;
 
-/// The least number of terms for which conjugate factors are multiplied.
+/// The factors 1 + F and 1 − F are multiplied only if they have at least this number of terms.
 const LONG_CONJUGATE: usize = 3;
 
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
@@ -44,8 +44,8 @@ pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
     factors
 }
 
-/// Writes the quotient of two products. Powers of `by`, or of a short factor of `below`, may
-/// shorten a factor.
+/// Writes the quotient of the products of `above` and `below`. A long factor is written in powers
+/// of a polynomial in `by`, or of a short factor of `below`, if that shortens the text.
 pub(crate) fn quotient(
     symbols: &Symbols,
     above: &[Polynomial],
@@ -77,7 +77,7 @@ pub(crate) fn quotient(
     if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
 }
 
-/// The product content · front/front_below · ∏ sums.
+/// A product of the fields: content · front / front_below · ∏ sums.
 #[derive(Clone, Debug)]
 struct Product {
     content: Rational,
@@ -170,8 +170,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // A divisor lengthens the other side of the fraction, so this text must be
-                        // a third shorter.
+                        // A text with a divisor must be a third shorter, because the divisor is
+                        // written on the other side of the fraction.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));
@@ -190,7 +190,6 @@ impl Product {
     }
 }
 
-/// Writes content · front · ∏ sums.
 fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &[(Sum, u32)]) -> String {
     let text = |sum: &Sum| match sum {
         Sum::Plain(polynomial) => Text.polynomial(symbols, polynomial),

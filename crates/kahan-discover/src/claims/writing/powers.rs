@@ -1,4 +1,4 @@
-//! Writes a polynomial P as Σ dₖ Fᵏ, where F is linear in a variable v and the dₖ are free of v.
+//! Writes a polynomial P as Σ dₖ Fᵏ, where F is linear in a variable v and the dₖ do not contain v.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -7,7 +7,8 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
-/// The factor content · front / front_below, which is written outside the sum.
+/// The factor content · front / front_below of a sum, where content is a number, and front and
+/// front_below are monomials.
 pub(super) struct Scale {
     pub(super) content: Rational,
     pub(super) front: Monomial,
@@ -39,7 +40,8 @@ pub(crate) fn in_powers(
     if slope.len() > 1 || symbols.has_state(&slope) {
         return None;
     }
-    // Let F = μv + r be the base. Then μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ.
+    // The base is F = μv + r. If a polynomial Σ pᵢ vⁱ has degree K in v, then
+    // μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ.
     let highest = polynomial.degree_in(variable);
     let shifted = Polynomial::variable(fresh) - rest;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
@@ -47,7 +49,8 @@ pub(crate) fn in_powers(
     Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
-/// Removes terms free of states, then a common factor. For example, 1 − ε²(x − ay) becomes x − ay.
+/// Removes all terms that contain no state, then a common factor. For example, 1 − ε²(x − ay)
+/// becomes x − ay.
 fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     let has_states = |monomial: &Monomial| monomial.powers().iter().any(|&(v, _)| symbols.is_state(v));
     let moving = base.terms().filter(|(monomial, _)| has_states(monomial));
@@ -74,11 +77,10 @@ pub(super) fn by_powers(
     let sum = sum.div_monomial(&front)?;
     let content = sum.content();
     let sum = sum.primitive_part();
-    // An irreducible polynomial is not divisible by the base.
     if front.exponent(fresh) > 0 {
         return None;
     }
-    // Terms of the sum would cancel for small ε.
+    // The text would be a sum divided by a power of ε, so terms would cancel for small ε.
     if factor.exponent(symbols.epsilon()) > front.exponent(symbols.epsilon()) {
         return None;
     }

@@ -37,7 +37,6 @@ fn sums_stand_in_factors_their_first_terms_positive() {
 
 #[test]
 fn long_factors_are_written_by_powers_of_known_ones() {
-    // The base loses its constant, because cancelling terms would lose digits for small ε.
     let (base, known) = ("a*x + y^2", "1 - eps^2*a*x - eps^2*y^2");
     let digits = format!("(y - z)^2*({base})^3 + a*(1 + z*y)*({base}) - eps^2*(y + z^3)^2");
     let text = written(&format!("({digits})/z"), known);

@@ -17,7 +17,6 @@ pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) ->
     let n = start.len();
     let size = basis.monomials.len();
     let mut point = start.to_vec();
-    // The Jacobian matrix ∂x_k/∂x_0 of point k, row by row.
     let mut tangent: Vec<Vec<u64>> =
         (0..n).map(|i| (0..n).map(|j| if i == j { modulus.one() } else { 0 }).collect()).collect();
     let mut values: Vec<Vec<u64>> = Vec::new();

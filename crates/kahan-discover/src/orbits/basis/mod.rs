@@ -229,7 +229,8 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
 }
 
 /// Chooses the shortest bases until `wanted` integrals are independent, or no candidate is left.
-/// The integrals with `gradients` at `place` are counted, and the new gradients are appended.
+/// The integrals whose gradients at the point `place` are in `gradients` are included in this
+/// number. The gradients of the new integrals are appended.
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
@@ -319,7 +320,7 @@ fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     orders
 }
 
-/// Reduces the relations so that the highest monomial of the order leads.
+/// Reduces the relations so that the last monomial in the order is the leading one.
 fn reduced_in(
     modulus: &Modulus,
     relations: &Relations,

@@ -92,7 +92,7 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // Each doubling of the number of rows, and of the sum of the factors, counts one bit.
+    // The bound grows by a bit if the number of rows, or the sum of the factors, doubles.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = Bound { degree: 0, bits: size * bits };
     for steps in [before, after] {

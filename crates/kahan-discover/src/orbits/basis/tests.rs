@@ -29,7 +29,6 @@ fn found(text: &str, degree: u32, wanted: usize) -> (SearchField, Field, Vec<Bas
 fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
     let (searched, field, bases) = found(CLEBSCH, 2, 4);
     assert_eq!(bases.iter().map(|basis| basis.integrals.len()).sum::<usize>(), 4);
-    // Petrera, Pfadler and Suris found the shortest basis.
     assert_eq!(bases[0].monomial_texts(&field.symbols.states), ["1", "p3^2", "p2^2", "p1^2"]);
     for basis in &bases {
         assert!(prove(basis, &searched, &field, &Deadline::never()).is_some());
@@ -39,7 +38,6 @@ fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
 #[test]
 fn what_is_no_basis_is_not_proved() {
     let (searched, field, bases) = found(CLEBSCH, 2, 4);
-    // Without one monomial there is no relation. Two joined bases have two relations.
     let mut less = bases[0].clone();
     less.monomials.truncate(3);
     less.terms.truncate(3);
@@ -85,8 +83,6 @@ fn exact_values_are_constant_along_an_orbit_and_floats_agree_with_them() {
         let terms = first.iter().enumerate().map(|(place, c)| c.to_f64().abs() * scale(place));
         let largest = terms.fold(0.0, f64::max);
         for (place, (value, exact)) in found.coefficients.iter().zip(&first).enumerate() {
-            // Each entry of the linear system is rounded a few times, and twelve entries are
-            // summed.
             let bound = 64.0 * f64::EPSILON * found.condition * largest / scale(place);
             assert!((value - exact.to_f64()).abs() <= bound, "{value} {exact} {}", found.condition);
         }
@@ -113,7 +109,7 @@ fn gradients_are_those_of_the_coefficients() {
     for basis in &bases {
         let here = gradients::of_coefficients(basis, &sample.map, &point).unwrap();
         let there = gradients::of_coefficients(basis, &sample.map, &next).unwrap();
-        // By c(φ(x)) = c(x), the gradient at x̃ times ∂x̃/∂x is the gradient at x.
+        // Since c(φ(x)) = c(x), the gradient at x̃ times ∂x̃/∂x must be the gradient at x.
         for (own, other) in here.iter().zip(&there) {
             let mut pulled = vec![0; 6];
             for (factor, row) in other.iter().zip(&jacobian) {
@@ -141,7 +137,6 @@ fn monomials_with_equal_coefficients_are_joined() {
         basis.join(&searched, &mut SplitMix64::new(2));
         assert!(basis.points() <= before.0 && basis.monomials == before.1);
         assert!(prove(&basis, &searched, &field, &Deadline::never()).is_some());
-        // With a different factor, the terms have no relation.
         if let Some(term) = basis.terms.iter().position(|term| term.len() > 1) {
             let mut wrong = basis.clone();
             wrong.terms[term][1].1 += 1;

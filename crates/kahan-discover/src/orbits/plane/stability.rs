@@ -19,7 +19,8 @@ const LEAST: u64 = 211;
 /// The number of integers from which the search for a prime may start.
 const SPREAD: u64 = 1000;
 
-/// The most samples. If the contracted lines are conjugate, one sample in six contains all three.
+/// The most samples. One in six has coefficients of all three contracted lines if they are
+/// conjugate.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
@@ -139,7 +140,7 @@ impl Forms {
         (zeros.len() <= 3).then_some(zeros)
     }
 
-    /// Returns point t of a line. Points with different t below the prime are different.
+    /// Returns point number t of a line. Numbers below the prime give different points.
     fn on(&self, line: &Point, t: u64) -> Point {
         let modulus = self.modulus();
         let [a, b] = match line.iter().position(|&entry| entry != 0) {

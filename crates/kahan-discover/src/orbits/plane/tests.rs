@@ -26,7 +26,8 @@ fn exponential_growth_is_proved() {
         let found = verdict(LOTKA_VOLTERRA, seed);
         assert!(matches!(found.proof, Some(GrowthProof::Stable { .. })), "{found:?}");
         assert!((found.growth.entropy() - 2f64.ln()).abs() < 1e-15);
-        // Orbits of contracted lines reach points of indeterminacy, so d₆ is 62, not 64.
+        // The orbits of contracted lines reach points of indeterminacy, so iterate 6 has the degree
+        // 62 instead of 64.
         let found = verdict(ZANDER_113, seed);
         assert!(matches!(found.proof, Some(GrowthProof::Degree { iterate: 5, degree: 32 })), "{found:?}");
     }
@@ -42,7 +43,6 @@ fn growth_that_shows_is_proved_from_more_degrees() {
     assert!(matches!(found.proof, Some(GrowthProof::Degree { iterate: 5, degree: 32 })), "{found:?}");
 }
 
-/// Tests maps that preserve a pencil of curves.
 #[test]
 fn no_other_growth_is_proved_exponential() {
     let integrable = [

@@ -37,7 +37,8 @@ pub(super) fn invariant_tensor(
         for k in j + 1..n {
             let others = ((1u64 << n) - 1) & !(1 << j | 1 << k);
             let minor = minors.remove(&others).unwrap_or_default();
-            // The sign counts the j variables before x_j and the other k − 1 variables before x_k.
+            // To move x_j and x_k to the front takes j + k − 1 interchanges of neighbours, each of
+            // which changes the sign.
             let minor = if (j + k - 1) % 2 == 1 { -&minor } else { minor };
             entries.push(RationalFunction::from(minor).mul_within(&factor, budget).ok()?);
         }

@@ -177,8 +177,8 @@ pub(crate) fn polynomial_tensors(
         Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
     };
     found.extend(known.iter().filter_map(candidate));
-    // Known tensors usually have shorter texts than basis elements. Sums may be shorter still,
-    // since each element is divided by its common factors.
+    // Known tensors usually have shorter texts than basis elements, so they precede all elements
+    // and all sums but the shortest.
     let symbols = searched.family().symbols();
     let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
     let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
@@ -211,7 +211,8 @@ pub(crate) fn polynomial_tensors(
             entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
         }
         let mut tensor = PoissonTensor { rank, entries, structure: None, is_implied: false };
-        // Over ℚ each summand gets its own factor, so the rank of the sum may change.
+        // Each summand was scaled to coprime integers, so the sum may have another rank than modulo
+        // the prime.
         let matrix = tensor.at(searched, &place, &points[0])?;
         tensor.rank = Echelon::of(map.modulus(), matrix, n).rank();
         Some(tensor)
@@ -381,7 +382,8 @@ impl TensorMonomials {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // No other basis element lies on this support, so the tensor is unique there.
+        // Up to a factor, the tensor is the only invariant one with no other nonzero coefficients
+        // than these.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;

@@ -25,7 +25,6 @@ fn brackets_in_dimensions_4_and_5_are_proved() {
         let tensor = bracket(&system, &stated(&system, density), &chosen).expect("independent integrals");
         assert!(is_proved(&system, &tensor), "{field} {integrals:?}");
         for casimir in &chosen {
-            // A Casimir function I satisfies Σ {xⱼ, xₖ} ∂I/∂xₖ = 0, summed over k.
             let n = symbols.dimension();
             for j in 0..n {
                 let terms = (0..n).map(|k| &entry(n, &tensor, j, k) * &casimir.derivative(symbols.state(k)));
@@ -51,7 +50,6 @@ fn jacobi_fails_where_it_should() {
     };
     assert!(!poisson("{x,y} = z; {y,z} = x; {z,x} = x*y;"));
     assert!(poisson("{x,y} = z; {y,z} = x; {z,x} = y;"));
-    // The bracket {x,y} = 1 is compatible with {y,z} = x, but not with {y,z} = y.
     for entries in ["{x,y} = 1;", "{y,z} = x;", "{y,z} = y;", "{x,y} = 1; {y,z} = x;"] {
         assert!(poisson(entries), "{entries}");
     }
@@ -83,7 +81,6 @@ fn permutations(n: usize) -> Vec<(Vec<usize>, i64)> {
 
 #[test]
 fn every_entry_is_the_alternating_sum_of_the_proposition() {
-    // The functions are not invariant under the map, but the entries of their bracket are defined.
     let text = "xdot = y; ydot = -x; zdot = x*y; udot = -z; vdot = x;
         density rho = 1/(2 + x*u - eps*y);
         integral A = x^2*z - v/(1 + u); integral B = y*z + u*v^2; integral C = (x - v)/(z + eps*y);";
@@ -120,6 +117,6 @@ fn coordinates_as_integrals_leave_one_entry_in_any_dimension() {
     let constructed = bracket(&large, &RationalFunction::one(), &integrals).expect("a bracket");
     let nonzero: Vec<usize> = (0..constructed.len()).filter(|&e| !constructed[e].is_zero()).collect();
     assert_eq!(nonzero, [upper_index(40, 3, 17)]);
-    // The sign counts the 3 variables before x3 and the 16 other variables before x17.
+    // To move x3 and x17 to the front takes 3 + 16 interchanges of neighbours, so the sign is −1.
     assert_eq!(entry(40, &constructed, 3, 17), RationalFunction::constant(Rational::from(-1)));
 }

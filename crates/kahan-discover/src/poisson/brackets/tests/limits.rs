@@ -19,7 +19,6 @@ fn work_beyond_the_budget_is_refused_and_not_begun() {
     let mut little = Budget::new(100, 20);
     assert_eq!(invariant_tensor(&four.field.symbols, &rho, &[h, k], &mut little), None);
 
-    // The tensor of twenty-four states with dense integrals needs 2²⁴ minors.
     let names: Vec<String> = (0..24).map(|i| format!("x{i}")).collect();
     let field: String = names.iter().map(|name| format!("{name}dot = {name}; ")).collect();
     let large = system(&field);

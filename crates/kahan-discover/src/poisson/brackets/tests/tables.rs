@@ -7,7 +7,7 @@ fn block(file: &'static str) -> &'static str {
     rest.split_once("\n}\n").expect("the block ends").0
 }
 
-/// The blocks of E1 to E6. The brackets P and Q are those of Tables 3 and 4 divided by c.
+/// The systems E1 to E6, with the brackets of Tables 3 and 4 of the paper divided by its factor c.
 const TABLES: [&str; 6] = [
     include_str!("../../../../../../systems/src/catalog/e1.rs"),
     include_str!("../../../../../../systems/src/catalog/e2.rs"),
@@ -23,7 +23,7 @@ fn the_brackets_of_tables_3_and_4_come_out_of_densities_and_integrals() {
         let system = system(block(file));
         let [h, k, rho] = ["H", "K", "rho"].map(|name| stated(&system, name));
         let [p, q] = ["P", "Q"].map(|name| tensor_of(&system, name));
-        // By formulas (p1) and (q3) of the paper, the density is ρ ĤK̂ with ρ = c/(HK).
+        // The density is that of formulas (p1) and (q3) of the paper.
         let density = &(&rho * &h) * &k;
         assert_eq!(
             bracket(&system, &-&density, std::slice::from_ref(&h)).as_ref(),
@@ -32,7 +32,6 @@ fn the_brackets_of_tables_3_and_4_come_out_of_densities_and_integrals() {
             system.name()
         );
         assert_eq!(bracket(&system, &density, &[k]).as_ref(), Some(&q), "Q/c of {}", system.name());
-        // The other sign gives another bracket, so the comparison above can fail.
         assert_ne!(bracket(&system, &density, &[h]), Some(p));
     }
 }
@@ -50,7 +49,6 @@ fn the_pairs_of_tables_3_and_4_are_poisson_and_compatible() {
 
 #[test]
 fn the_undivided_tensor_of_table_4_is_compatible_only_where_c_is_constant() {
-    // The bracket Q(ε) of E1 is Poisson, but incompatible with P(ε).
     let system = system(block(TABLES[0]));
     let c = power(system.field.symbols.state(0), 2).recip().expect("x is not zero");
     let undivided: Vec<_> = tensor_of(&system, "Q").iter().map(|entry| entry * &c).collect();
@@ -75,7 +73,6 @@ fn the_euler_top_has_two_compatible_brackets_of_its_density() {
     for tensor in [&p, &q, &sum(&p, &q)] {
         assert!(is_proved(&system, tensor));
     }
-    // Every multiple of the bracket is Poisson, but a different density destroys invariance.
     let wrong = bracket(&system, &RationalFunction::one(), &[stated(&system, "H")]).expect("a bracket");
     assert!(!is_proved(&system, &wrong));
 }
