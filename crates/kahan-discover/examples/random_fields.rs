@@ -96,7 +96,8 @@ fn proved_again(before: &str, claim: &str) -> Option<Proved> {
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // The text seeds the primes and points, which therefore differ from those of `discover`.
+        // `read` seeds its primes and points with the text, so they differ from those of
+        // `discover`.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
 }

@@ -121,7 +121,7 @@ impl HamiltonianReport {
 pub enum ModifiedPlace {
     /// The modified Hamiltonian is omitted, because formulas and bases imply it.
     Implied,
-    /// The compact form is given, and no formula depends on it.
+    /// The compact form is given, and replaces no formula.
     Alone,
     /// The compact form is given in place of the much longer formula with this index.
     InsteadOf(usize),
@@ -292,7 +292,7 @@ pub enum DiscoverError {
     UnknownParameter(String),
     /// The field divides by zero at the given parameters.
     UndefinedField,
-    /// At ε = 0 the map is the identity.
+    /// The options fix ε = 0, at which the map is the identity.
     ZeroStep,
     /// The matrix I − ε f′ is singular everywhere at the given values, so no map exists.
     NoMap,

@@ -79,7 +79,7 @@ fn long_chains_show_theirs_at_once() {
     }
 }
 
-/// For the Euler top, integrals by rotation have different denominators.
+/// For the Euler top, integrals by rotation have different denominators, so others are preferred.
 #[test]
 fn integrals_with_one_denominator_come_before_those_of_rotations() {
     check(

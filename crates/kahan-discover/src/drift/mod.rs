@@ -64,13 +64,14 @@ pub struct Drift {
 /// The value of a drift F at the next point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DriftKind {
-    /// The sum F + c with this c.
+    /// The next value of the drift F is F + c with this c.
     Sum(Constant),
-    /// The multiple c·F with this c.
+    /// The next value of the drift F is c·F with this c.
     Multiple(Constant),
-    /// A Möbius image (aF + b)/(cF + d).
+    /// The next value of the drift F is (aF + b)/(cF + d).
     Image,
-    /// A function of F, integrals and earlier drifts, with the names of the integrals and drifts.
+    /// The next value of the drift F is a function of F, integrals and earlier drifts with these
+    /// names.
     Link(Vec<String>),
 }
 

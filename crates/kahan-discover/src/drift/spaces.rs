@@ -51,7 +51,8 @@ impl Points {
     }
 
     /// Returns the largest space of polynomials that the map sends to itself times a cofactor. The
-    /// cofactor has these exponents. Each basis element is paired with its image.
+    /// cofactor is a product of the candidate factors with these `exponents`. Each basis element is
+    /// paired with its image.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {

@@ -30,7 +30,7 @@ pub(super) struct TriangularSystem {
     components: Vec<Polynomial>,
     /// The expression of each state in drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// Each drift has its variable, its expression in states, and its next value in drifts.
+    /// For each drift: its variable, its expression in states, and its next value in drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 

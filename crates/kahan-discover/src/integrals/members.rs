@@ -174,7 +174,7 @@ fn special(
         let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
         left.iter().zip(right).map(sum).collect()
     };
-    // In a random basis of the elements P + cQ, no special element has c = ∞.
+    // P and Q are replaced by a random basis, so that no special element has c = ∞.
     let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
     let degree = monomials.degree() as usize;
     let plane = Plane::random(*modulus, monomials, random);

@@ -108,7 +108,7 @@ pub(crate) fn brackets(
     let is_full = proved.first().is_some_and(|bracket| bracket.rank + 1 >= n);
     let is_beside = is_full && n > 3;
     let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
-    // A bracket is about as long as its integrals.
+    // A bracket is about as long as its integrals, so it is too long if one of them is.
     let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
     let mut found: Vec<String> = Vec::new();
     if let Some(density) = density.filter(|_| !is_full || n <= 4) {

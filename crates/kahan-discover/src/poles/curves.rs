@@ -15,7 +15,8 @@ const MOST_WORK: u64 = 20_000_000;
 pub(crate) struct Curves {
     pub(crate) components: Vec<Polynomial>,
     pub(crate) factors: Vec<Polynomial>,
-    /// Whether the factors of the Jacobian determinant are included. A very long one is left out.
+    /// Whether the factors of the Jacobian determinant are included. A very long determinant is not
+    /// factored.
     pub(crate) has_jacobian: bool,
 }
 

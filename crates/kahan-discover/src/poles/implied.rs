@@ -10,7 +10,7 @@
 use super::jet::Image;
 
 /// Returns d₀, d₁, … for a map of this degree, as far as the images of the curves determine them.
-/// Each curve has a degree and images.
+/// For each curve, `curves` has the degree and the images.
 pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
     let steps = curves.iter().map(|(_, images)| images.len()).min()?;
     let mut degrees = vec![1usize];

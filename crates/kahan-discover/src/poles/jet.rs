@@ -59,7 +59,8 @@ pub(crate) struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// Sorts a polynomial by monomials in the states.
+    /// Returns the terms of a polynomial in the states, as coefficients modulo the prime and
+    /// exponents.
     fn terms(&self, modulus: &Modulus, polynomial: &Polynomial) -> Option<Vec<(u64, Vec<u32>)>> {
         let value = |variable: Variable| match self.symbols.symbol(variable) {
             Symbol::Parameter(k) => self.parameters[k],

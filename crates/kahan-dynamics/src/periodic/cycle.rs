@@ -108,8 +108,8 @@ impl std::error::Error for NoPeriodicPoint {}
 
 /// The largest accepted residual, relative to the size of the cycle or of the start.
 pub(super) const CLOSED: f64 = 1e-11;
-/// The least tolerance with which |μ| is treated as 1 for a multiplier μ. A double eigenvalue loses
-/// half of the digits.
+/// The least tolerance with which a multiplier counts as |μ| = 1. A double eigenvalue loses half of
+/// the digits.
 const CIRCLE: f64 = 1e-6;
 
 impl PeriodicPoint {
@@ -127,8 +127,8 @@ impl PeriodicPoint {
         }
     }
 
-    /// Returns whether |μ| is treated as 1 for a multiplier μ because of its error bound, although
-    /// the printed digits say otherwise.
+    /// Returns whether a multiplier counts as |μ| = 1 because of its error bound, although the
+    /// printed digits say otherwise.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
         /// The least distance from 1 that shows in the printed digits.
@@ -180,8 +180,7 @@ impl PeriodicPoint {
         PeriodicPoint { points, residual, multipliers, family, size, margins }
     }
 
-    /// Removes the multiplier nearest to 1, because a flow's cycle always has the multiplier 1 in
-    /// the direction of the flow.
+    /// Removes the multiplier nearest to 1, which belongs to the direction of the flow.
     pub(super) fn of_flow(mut self) -> Self {
         let distance = |one: &Complex<f64>| size(&(one - Complex::new(1.0, 0.0)));
         let distances = self.multipliers.iter().map(distance).enumerate();
@@ -266,7 +265,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // Equal eigenvalues are separated by a rounding error, so that no division by 0 occurs.
+    // A rounding error separates multiple eigenvalues.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];
@@ -295,7 +294,7 @@ pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
 /// Finds a periodic point of a map near `start`. The smallest period of the point divides `period`.
 ///
 /// Tolerances are relative to the size of `start` or of the cycle, whichever is larger. For a start
-/// at 0, the size of the next point of the orbit is used.
+/// at 0, the size of the next point of the orbit counts. The unit of length does not matter.
 ///
 /// Each step of Newton's method decomposes a matrix of dimension `period` times the number of
 /// variables.
@@ -331,7 +330,7 @@ pub fn periodic_point<M: Differentiable>(
 }
 
 fn smallest_period(points: &[Vec<f64>], size: f64) -> usize {
-    /// The relative distance below which points are treated as equal.
+    /// The relative distance below which points count as equal.
     const SAME: f64 = 1e-7;
 
     let comes_again = |period: usize| {

@@ -62,8 +62,8 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // Lists each factor, the number of terms in the coefficients with this factor, and the
-        // indices of these coefficients.
+        // For each factor: the number of terms of all coefficients that it divides, and their
+        // indices.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {

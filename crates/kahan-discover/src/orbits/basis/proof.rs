@@ -116,8 +116,8 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let sides = || field.numerators().chain(field.denominators());
     let of_coefficients = sides().map(others).max()?;
     let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
-    // The 1-norm of row i is at most |qᵢ| + 4 |pᵢ| for the component pᵢ/qᵢ, times the size of a
-    // fixed ε.
+    // Row i of A has at most the 1-norm |qᵢ| + 4 |pᵢ|, where pᵢ/qᵢ is component i of the field,
+    // times the size of a fixed ε.
     let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
     Some(Bound {
         degree: degree.checked_mul(n)?,
