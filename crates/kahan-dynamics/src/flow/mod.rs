@@ -2,7 +2,7 @@
 //!
 //! The solution is a piecewise polynomial of Taylor series of high order ([`series`]). The pieces
 //! are short where the motion is fast or near a pole. Kahan's map is not used, so agreement with an
-//! orbit is independent evidence. Error bounds are deliberately absent.
+//! orbit is independent evidence. Errors are not bounded rigorously.
 
 mod piece;
 mod series;
@@ -39,7 +39,7 @@ pub(crate) use series::SeriesScalar;
 pub struct Flow<T> {
     pieces: Vec<Piece<T>>,
     end: f64,
-    /// The number of leading variables that count for distances and the scale.
+    /// The number of leading variables that distances and the scale include.
     measured: usize,
     scale: f64,
     slope: f64,
@@ -112,8 +112,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             flow.pieces.push(Piece::of(&series, t));
             // Steps are of type `f64`, so that sums of many steps are exact in double-double.
             let step = series.reach().min(2.0 * last);
-            // Near a pole each step is a fixed fraction of the remaining time, so steps shrink
-            // geometrically.
+            // Near a pole each step is a fixed fraction of the remaining time, so very short steps
+            // show that the solution escapes.
             if !(x.iter().all(|entry| entry.approximate().is_finite())
                 && step > 1e-9 * (now + *first.get_or_insert(step)))
             {
@@ -171,8 +171,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         self.slope
     }
 
-    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Directions without
-    /// motion do not count.
+    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Components that do not
+    /// change have no effect.
     pub fn turning(&self) -> f64 {
         self.turning
     }

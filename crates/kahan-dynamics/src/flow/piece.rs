@@ -7,7 +7,7 @@ use kahan_core::Dd;
 #[derive(Clone, Debug)]
 pub(super) struct Piece<T> {
     pub(super) start: Dd,
-    /// A power of 2. The polynomial is in powers of rate·(t − start).
+    /// The piece is a polynomial in rate·(t − start), where rate is a power of 2.
     rate: f64,
     pub(super) coefficients: Vec<T>,
 }

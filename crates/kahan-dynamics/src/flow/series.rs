@@ -56,7 +56,6 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
     /// Expands the solution at x₀. A few trials correct `rate`, a guess of 1/ρ for the radius of
     /// convergence ρ. The cost is about TERMS²/4 evaluations of the bilinear form.
     pub(super) fn at(&self, start: SVector<T, N>, rate: f64) -> Series<T, N> {
-        /// A factor whose 30th power is far from overflow.
         const NEAR: f64 = (1_u64 << 16) as f64;
         const TRIALS: usize = 16;
         let mut rate = power_of_two(rate);
@@ -99,7 +98,8 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
             if k % 2 == 0 {
                 sum += self.field.bilinear(&series[k / 2], &series[k / 2]);
             }
-            // The power of 2 is multiplied last, so that intermediate results stay in range.
+            // The factor `unit` is a power of 2 that may be extreme, so it multiplies only the
+            // finished sum.
             let divisor = T::from((k + 1) as f64);
             series.push(sum.map(|entry| entry * unit / divisor));
         }
@@ -126,9 +126,9 @@ impl<T: SeriesScalar, const N: usize> Series<T, N> {
 /// Exp. Math. 14 (2005) 99). Each component has its own estimate, because a small component may
 /// become important.
 ///
-/// A step h = pρ, with p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), omits about |x_K|h^K
-/// for the last index K. The omitted part may be p^K of the component's size, for which each term
-/// |xₖ|hᵏ is a lower bound. Therefore the largest step that any term allows is accepted.
+/// Let p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), and let x_K be the last coefficient.
+/// The estimate is h/p for the largest h with |x_K|h^K ≤ p^K |xₖ|hᵏ for some k. Then the omitted
+/// part of a step h is about p^K of the component's size or less.
 fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {

@@ -127,7 +127,7 @@ pub(super) fn follow(
     if add(&mut branch, &place, BranchPointKind::Asked(0)) {
         return branch;
     }
-    // Far from the origin, points move faster than the parameter.
+    // Far from the origin points move faster than the parameter, so steps may be longer there.
     let longest = |place: &BranchPosition| place.norm().max(1.0) / steps as f64;
     let (mut stride, mut strides) = (longest(&place), 0);
     let mut before = arc.judged(&place).cycle;
@@ -245,8 +245,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
         place.rows(0, place.len() - 1).into_owned()
     }
 
-    /// Returns the derivative of the defect by the points and, in the last column, by the
-    /// parameter.
+    /// Returns the derivative of the defect with respect to the points and, in the last column, to
+    /// the parameter.
     fn slope(&self, place: &BranchPosition) -> Option<DMatrix<f64>> {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let slope = slope(&map, &cycle);
@@ -293,8 +293,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
             square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm(square, &gaps.push(0.0))?;
             if gaps.amax() <= CLOSED * next.amax().max(1.0) {
-                // Near a double multiplier 1 the error is about the square root of the remaining
-                // defect, so one more step is tried.
+                // Near a double multiplier 1 the cycle's error is about the square root of the
+                // defect, so one more step is made if it helps.
                 let is_nearer =
                     gaps.amax() > NOTHING && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

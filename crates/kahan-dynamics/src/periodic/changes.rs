@@ -83,7 +83,8 @@ impl SegmentPoint {
     /// Counts the multipliers outside the unit circle that are real above 1, real below −1, and
     /// complex.
     fn outside_by_kind(&self) -> [isize; 3] {
-        /// Rounding can make two nearly equal real multipliers complex.
+        /// A multiplier with a smaller imaginary part is treated as real, because rounding can make
+        /// two nearly equal real multipliers complex.
         const REAL: f64 = 1e-3;
 
         let mut counts = [0; 3];
@@ -124,7 +125,7 @@ impl<C: Curve> BranchSegment<'_, C> {
         halvings: &mut usize,
         turns: &mut Vec<(f64, ChangePoint)>,
     ) {
-        /// The relative distance below which bifurcations count as simultaneous.
+        /// The relative distance below which bifurcations are treated as simultaneous.
         const AT_ONCE: f64 = 1e-12;
 
         let turns_back = low.goes_ahead != high.goes_ahead;
@@ -150,7 +151,8 @@ impl<C: Curve> BranchSegment<'_, C> {
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n((high.at, ChangePoint { change, parameter }), times.unsigned_abs()));
         };
-        // Two real multipliers may become a complex pair outside of the circle without crossing it.
+        // Two real multipliers outside the unit circle may become a complex pair. Neither then
+        // crosses the circle.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
         tell(self.turning_back(there.as_ref()), isize::from(turns_back));
         tell(BranchChange::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
@@ -216,15 +218,16 @@ impl<C: Curve> BranchSegment<'_, C> {
         } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
             (behind, 1.0)
         } else {
-            // A multiplier on the circle leaves the circle like a square root of the distance.
+            // Here the multiplier starts on the circle, so the search is for the point where it
+            // exceeds the error margin.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
         let (at, parameter) = self.halved([begin, outer.at], |there| size_at(there) <= bound);
         (at, ChangePoint { change, parameter })
     }
 
-    /// Bisects for the end of a condition. Returns the distance along the step, and the parameter
-    /// there.
+    /// Bisects for the last position at which `is_before` holds. Returns its distance along the
+    /// step, and the parameter there.
     fn halved(
         &self,
         [mut before, mut behind]: [f64; 2],

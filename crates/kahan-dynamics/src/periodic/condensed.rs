@@ -9,7 +9,7 @@
 //! # Method
 //!
 //! Here Aᵢ = ∂φ/∂x and Bᵢ = ∂φ/∂e at xᵢ, and gᵢ = φ(xᵢ) − xᵢ₊₁. Each dxᵢ is an affine function of
-//! dx₀ and de, so N points cost N products of small matrices and one small decomposition.
+//! dx₀ and de, so N points cost N multiplications of small matrices and one small decomposition.
 
 use kahan_core::nalgebra::{DMatrix, DVector};
 
@@ -31,8 +31,8 @@ pub(super) struct Solution {
 }
 
 impl Condensed {
-    /// Condenses the equations at `points`. `rates(x, k)` is the derivative of the map by further
-    /// unknown k. `gaps` holds all φ(xᵢ) − xᵢ₊₁, or `None` for zeros.
+    /// Condenses the equations at `points`. `rates(x, k)` is the derivative of the map at x with
+    /// respect to further unknown k. `gaps` holds all φ(xᵢ) − xᵢ₊₁, or `None` for zeros.
     pub(super) fn of<M: Differentiable>(
         map: &ScaledMap<M>,
         points: &[f64],
@@ -62,7 +62,7 @@ impl Condensed {
     }
 
     pub(super) fn solve(&self, conditions: &[(&DVector<f64>, f64)]) -> Option<Solution> {
-        /// Singular values below this fraction of the largest one count as 0.
+        /// Singular values below this fraction of the largest one are treated as 0.
         const ZERO: f64 = 1e-13;
 
         let (n, columns) = (self.closing.nrows(), self.closing.ncols() - 1);
@@ -78,7 +78,7 @@ impl Condensed {
             let others = row.rows(self.affine.len() * n, columns - n);
             let mut last = sum.rows_mut(n, columns - n);
             last += others;
-            // The norm of a condition carries no information.
+            // Only the direction of a condition matters, so each condition is scaled to norm 1.
             let length = sum.rows(0, columns).norm();
             matrix.row_mut(place).copy_from(&(sum.rows(0, columns) / length).transpose());
             right[place] = (value - sum[columns]) / length;

@@ -108,8 +108,8 @@ impl std::error::Error for NoPeriodicPoint {}
 
 /// The largest accepted residual, relative to the size of the cycle or of the start.
 pub(super) const CLOSED: f64 = 1e-11;
-/// The least tolerance with which a multiplier counts as |μ| = 1. A double eigenvalue loses half of
-/// the digits.
+/// The least tolerance with which |μ| is treated as 1 for a multiplier μ. A double eigenvalue loses
+/// half of the digits.
 const CIRCLE: f64 = 1e-6;
 
 impl PeriodicPoint {
@@ -127,8 +127,8 @@ impl PeriodicPoint {
         }
     }
 
-    /// Returns whether a multiplier counts as |μ| = 1 because of its error bound, although the
-    /// printed digits say otherwise.
+    /// Returns whether |μ| is treated as 1 for a multiplier μ because of its error bound, although
+    /// the printed digits say otherwise.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
         /// The least distance from 1 that shows in the printed digits.
@@ -180,7 +180,8 @@ impl PeriodicPoint {
         PeriodicPoint { points, residual, multipliers, family, size, margins }
     }
 
-    /// Removes the multiplier nearest to 1, which belongs to the direction of the flow.
+    /// Removes the multiplier nearest to 1, because a flow's cycle always has the multiplier 1 in
+    /// the direction of the flow.
     pub(super) fn of_flow(mut self) -> Self {
         let distance = |one: &Complex<f64>| size(&(one - Complex::new(1.0, 0.0)));
         let distances = self.multipliers.iter().map(distance).enumerate();
@@ -265,7 +266,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // A rounding error separates multiple eigenvalues.
+    // Nearly equal eigenvalues are treated as if a rounding error separated them.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];
@@ -294,7 +295,7 @@ pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
 /// Finds a periodic point of a map near `start`. The smallest period of the point divides `period`.
 ///
 /// Tolerances are relative to the size of `start` or of the cycle, whichever is larger. For a start
-/// at 0, the size of the next point of the orbit counts. The unit of length does not matter.
+/// at 0, the size of the next point of the orbit is used.
 ///
 /// Each step of Newton's method decomposes a matrix of dimension `period` times the number of
 /// variables.
@@ -317,7 +318,7 @@ pub fn periodic_point<M: Differentiable>(
     if !cycle.iter().all(|x| x.is_finite()) {
         return Err(NoPeriodicPoint::NotFinite);
     }
-    // A start at 0 may still have a nonzero image.
+    // A start at 0 may have a nonzero image, whose size is then the unit of length.
     let last = map.image(&cycle[(period - 1) * start.len()..]);
     let mut sizes = cycle.chunks(start.len()).chain([&last[..]]).map(unit::size);
     let map = ScaledMap { map, unit: LengthUnit::of(sizes.find(|size| *size > 0.0).unwrap_or(0.0)) };
@@ -330,7 +331,7 @@ pub fn periodic_point<M: Differentiable>(
 }
 
 fn smallest_period(points: &[Vec<f64>], size: f64) -> usize {
-    /// The relative distance below which points count as equal.
+    /// The relative distance below which points are treated as equal.
     const SAME: f64 = 1e-7;
 
     let comes_again = |period: usize| {

@@ -50,7 +50,7 @@ impl FlowCycle {
     /// Returns whether the cycle has `steps` steps and nearly the given ε.
     #[must_use]
     pub fn is_near(&self, steps: usize, eps: f64) -> bool {
-        /// The relative change of ε above which a cycle counts as another cycle.
+        /// The relative change of ε above which a cycle is treated as another cycle.
         const NEAR: f64 = 0.1;
 
         self.cycle.points.len() == steps && (self.eps / eps - 1.0).abs() < NEAR
@@ -181,7 +181,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
         const ROUNDS: usize = 60;
-        /// The relative defect below which one more step reaches rounding errors.
+        /// If the relative defect is smaller, one more step is made, which reaches rounding errors.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
@@ -213,8 +213,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn judged(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The ratio of singular values is smaller than this in a family of cycles. If only the
-        /// flow has a family, the ratio is a power of ε.
+        /// The cycle may be one of a family if the smallest singular value, divided by the largest,
+        /// is below this number.
         const FAMILY: f64 = 1e-7;
         const NEARLY_FAMILY: f64 = 1e-4;
         const ONE: f64 = 1e-3;

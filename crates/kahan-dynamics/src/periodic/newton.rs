@@ -40,7 +40,7 @@ pub(super) fn slope<M: Differentiable>(map: &ScaledMap<M>, cycle: &DVector<f64>)
 
 /// Solves a least-squares problem, and returns the solution of least norm.
 pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
-    /// Singular values below this fraction of the largest one count as 0.
+    /// Singular values below this fraction of the largest one are treated as 0.
     const ZERO: f64 = 1e-10;
 
     if !matrix.iter().all(|entry| entry.is_finite()) {

@@ -15,7 +15,7 @@ pub struct CloseReturn {
 /// Finds returns of an orbit to earlier points after `least` to `most` steps, the closest and
 /// shortest first. Coordinates are scaled by their ranges on the orbit.
 ///
-/// After a shorter return, a longer return counts only if the point returns ten times closer.
+/// After a shorter return, a longer return is reported only if the point returns ten times closer.
 /// Otherwise two rounds of a cycle would also be reported. About 2000 points of the orbit are
 /// compared with `most` successors each.
 ///
@@ -28,7 +28,7 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     const RETURNS: usize = 24;
     /// The relative radius of a neighbourhood that a return leaves and enters again.
     const NEAR: f64 = 0.1;
-    /// The distance below which returns count as equally close, because of interpolation.
+    /// Distances below this are treated as equal, because they are interpolated.
     const ALIKE: f64 = 1e-4;
 
     let Some(first) = orbit.first() else { return Vec::new() };
@@ -75,7 +75,6 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
 /// Returns the distance of a point from the parabola through three points, near the middle one.
 pub(super) fn across([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
     let slope = |k: usize| 0.5 * (behind[k] - before[k]);
-    // The vector from the tangent line to the point is corrected for the curvature of the parabola.
     let off = |k: usize, at: f64| {
         let bend = behind[k] - 2.0 * x[k] + before[k];
         there[k] - x[k] - 0.5 * at * at * bend

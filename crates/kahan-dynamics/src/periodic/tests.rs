@@ -164,7 +164,6 @@ fn cycles_of_the_logistic_map_are_those_of_the_formula() {
     let cycle = periodic_point(&Logistic(r), &[0.8], 2).unwrap();
     let mut points: Vec<f64> = cycle.points.concat();
     points.sort_by(f64::total_cmp);
-    // The bound is a residual of 1e-15, divided by the distance of the multiplier from 1.
     assert!((points[0] - (r + 1.0 - root) / (2.0 * r)).abs() < 1e-13);
     assert!((points[1] - (r + 1.0 + root) / (2.0 * r)).abs() < 1e-13);
     let multiplier = 1.0 - (r + 1.0) * (r - 3.0);
@@ -178,7 +177,6 @@ fn cycles_of_the_logistic_map_are_those_of_the_formula() {
 fn a_turn_of_a_fifth_has_a_family_of_cycles() {
     let cycle = periodic_point(&Fifth, &[1.0, 0.3], 5).unwrap();
     assert_eq!((cycle.points.len(), cycle.family, cycle.stability()), (5, 2, Stability::Neutral));
-    // Within the family, Newton's method stays near the start.
     assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
 }
 
@@ -218,7 +216,6 @@ fn a_multiplier_is_off_the_circle_only_beyond_its_error() {
         assert_eq!(verdict([0.99, shear, 0.0, 0.98]), Stability::Attracting, "{shear}");
         assert_eq!(verdict([1.02, shear, 0.0, 1.01]), Stability::Repelling, "{shear}");
     }
-    // A large multiplier must not hide a small one.
     assert_eq!(verdict([1e9, 1.0, 0.0, 1e-9]), Stability::Saddle);
 }
 
@@ -233,13 +230,11 @@ fn a_cycle_is_the_same_in_every_unit() {
         assert_eq!((cycle.points, cycle.residual), (scaled, ordinary.residual * unit));
         assert_eq!((cycle.family, cycle.multipliers), (2, ordinary.multipliers.clone()));
     }
-    // Tolerances are relative, so even a tiny orbit counts as moving.
     assert_eq!(periodic_point(&Fifth, &[1e-9, 0.0], 5).unwrap().points.len(), 5);
 }
 
 #[test]
 fn a_cycle_at_0_is_as_near_to_it_as_its_start_is_large() {
-    // Newton's method must not run into subnormal or infinite numbers.
     for exponent in [-900, 0, 900] {
         let start = f64::from(exponent).exp2();
         let cycle = periodic_point(&Meeting(0.125), &[start, 0.5 * start], 4).unwrap();
@@ -319,7 +314,6 @@ fn what_is_no_cycle_is_told() {
     assert_eq!(periodic_point(&Logistic(3.0), &[0.5], 0), Err(NoPeriodicPoint::Unfit));
     assert_eq!(periodic_point(&Logistic(3.0), &[0.5, 0.5], 1), Err(NoPeriodicPoint::Unfit));
     assert_eq!(periodic_point(&Logistic(3.0), &[f64::NAN], 1), Err(NoPeriodicPoint::NotFinite));
-    // Hénon's map has no fixed point for a < −(1 − b)²/4.
     let none = periodic_point(&Henon(-0.2, 0.3), &[0.0, 0.0], 1);
     assert!(matches!(none, Err(NoPeriodicPoint::NotFound { residual }) if residual > 1e-3), "{none:?}");
 }
@@ -332,7 +326,6 @@ fn a_branch_turns_back_where_two_fixed_points_meet() {
         // The tangent at a fold has an error of about √u with the unit roundoff u. The parameter
         // has an error of about u.
         assert!(has_turns(&branch, &[(BranchChange::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
-        // After the fold the branch returns to its first parameter value, at the other fixed point.
         let last = branch.points.last().unwrap();
         assert!(last.parameter >= 0.5 && last.cycle.points[0][0] < -0.7 && !branch.is_cut, "{steps}");
         for point in &branch.points {
@@ -348,7 +341,6 @@ fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
     let branch = branch(Logistic, &start, [2.5, 3.4], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, BranchChange::ThroughMinusOne);
-    // The multiplier of the fixed point is 2 − r.
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-12, "{:?}", branch.turns);
 }
 
@@ -360,7 +352,6 @@ fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
     let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, BranchChange::ThroughMinusOne);
-    // The modulus |μ| reaches 1 + 10⁻⁶ at a distance of about 10⁻¹² in the parameter.
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-10, "{:?}", branch.turns);
 }
 

@@ -11,7 +11,7 @@ use super::{Differentiable, Parametric};
 pub(super) struct LengthUnit {
     /// The unit of length in the caller's unit, a power of two.
     pub(super) length: f64,
-    /// The scale for comparing lengths: 1, or 0 if the caller's size was 0 or not finite.
+    /// The scale with which lengths are compared: 1, or 0 if the caller's size was 0 or not finite.
     pub(super) size: f64,
 }
 

@@ -7,7 +7,7 @@ use kahan_core::StepCost;
 
 use super::{Precision, Scheme};
 
-/// The cost factor of `f32`. A single orbit waits as long for its operations as in `f64`.
+/// The cost factor of `f32`. The operations of a single orbit take as long as in `f64`.
 const SINGLE: f64 = 1.0;
 /// The cost factor of a state in `f32` with steps in `f64`, which need conversions.
 const SINGLE_THROUGH_DOUBLE: f64 = 1.25;

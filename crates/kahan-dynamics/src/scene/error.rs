@@ -18,8 +18,8 @@ pub enum NoSetting {
         /// The index of the coordinate.
         index: usize,
     },
-    /// The solution escapes before the end of the scene, or two methods do not agree on it in 32
-    /// digits.
+    /// The solution escapes before the end of the scene, or two methods that compute it with 32
+    /// digits disagree.
     Lost {
         /// The time of the escape, or the time until which an orbit stayed within a tenth of the
         /// trajectory's size.

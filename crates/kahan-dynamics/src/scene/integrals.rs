@@ -12,8 +12,8 @@ use kahan_core::{ExtendScalars, PreparedStep};
 use super::search::{PLAIN, WIDE};
 use super::{NoSetting, Scene, Setting};
 
-/// The safety factor on rounding errors. In 19 of 20 random walks, the end is within a factor of 2
-/// of the typical end.
+/// The safety factor on rounding errors. In 19 of 20 random walks, the end is at most twice as
+/// large as is typical.
 const SAFETY: f64 = 2.0;
 /// The largest number of steps, which `f64` represents exactly.
 const MOST_STEPS: f64 = 9e15;

@@ -32,7 +32,7 @@ pub enum Need {
     Trajectory,
     /// The orbit preserves the integrals. The error is the largest relative change of the map's own
     /// integrals, which only rounding causes ([`Scene::condition`]). A composition has no integrals
-    /// of its own, so the integrals of the flow count.
+    /// of its own, so its error is the change of the flow's integrals.
     Integrals,
 }
 
@@ -96,8 +96,8 @@ impl Scene {
     /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, for [`Need::Integrals`].
     ///
     /// The condition is the factor by which relative changes of the state are amplified. The
-    /// default 4 fits a polynomial of degree 2 whose terms cancel to a half. Near zeros of H the
-    /// condition is much larger.
+    /// default 4 is typical of a polynomial H of degree 2 for which |H| is half the sum of the
+    /// sizes of its terms. Near zeros of H the condition is much larger.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {
         self.condition = condition;

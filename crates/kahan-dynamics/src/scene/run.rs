@@ -60,7 +60,7 @@ impl Setting {
     }
 
     /// Shows each point of the orbit to `visit` with its index n, from the rounded x₀ to the last
-    /// point. Point n belongs to the time 2ε·n.
+    /// point. Point n is the state at the time 2ε·n.
     pub fn visit<M, const N: usize>(
         &self,
         map: &M,

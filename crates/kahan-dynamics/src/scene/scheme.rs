@@ -54,9 +54,9 @@ impl Precision {
 
     /// Returns an ε near `eps` in this precision.
     ///
-    /// For [`Need::Integrals`], ε is the nearest [short](nearest_short_eps) number, which in `Dd`
-    /// is short for `f64`. For [`Need::Trajectory`], ε is the nearest representable number, because
-    /// the steps must end at the given time.
+    /// For [`Need::Integrals`], ε is the nearest number with so few bits that powers of ε are exact
+    /// ([`nearest_short_eps`]), in `Dd` the nearest such `f64`. For [`Need::Trajectory`], ε is the
+    /// nearest representable number, because the steps must end at the given time.
     #[must_use]
     pub fn eps_near(self, eps: f64, need: Need) -> f64 {
         match (self.is_single(), need) {

@@ -6,7 +6,7 @@ use kahan_core::Composition;
 
 use super::{Need, Precision, Scene, Scheme};
 
-/// The tolerance below which the rounding of ε matters for the end time.
+/// For smaller tolerances, ε must be exact enough for the end time of an orbit in `Dd`.
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A [`Scheme`] with ε and a number of steps, for the time span of a [`Scene`](crate::Scene).
@@ -27,8 +27,8 @@ pub struct Setting {
 impl Scene {
     /// Builds a setting of about `steps` steps over the whole time, with an infinite error.
     ///
-    /// In `Dd`, ε is a rounded `f64`. If the tolerance of a trajectory is below the error of ε, the
-    /// number of steps becomes a power of 2.
+    /// In `Dd`, ε is rounded to `f64`. If the tolerance of a trajectory is below the error of ε,
+    /// the number of steps becomes a power of 2.
     ///
     /// # Panics
     /// If the horizon is not finite and positive, or `steps` is 0.

@@ -16,7 +16,7 @@ use super::{NoSetting, Scene, Scheme, Setting};
 const MOST_WORK: f64 = 1e6;
 /// The tolerance below which the computation begins in `Dd`.
 const FINE: f64 = 1e-12;
-/// A bound on the rounding errors of a flow in `f64` before amplification.
+/// A bound on the rounding errors of a flow in `f64`, before the flow amplifies them.
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
 /// The relative distance of two starts whose solutions are compared.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
@@ -64,7 +64,8 @@ impl Budget {
         T: SeriesScalar,
         F: QuadraticField<T, N>,
     {
-        // A bilinear form costs about a third as much as a step.
+        // The work of a piece in steps of the map. One bilinear form costs about a third of a step,
+        // and a piece takes TERMS²/4.
         let piece = (T::TERMS * T::TERMS) as f64 / 12.0;
         let most = (SHARE * self.left / piece) as usize;
         let flow = Flow::through(field, start, scene.horizon, 0.0, &mut |pieces| {
@@ -121,8 +122,7 @@ where
     M: ExtendScalars<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, TrajectoryFailure> {
-        // At the coarsest ε, the product of ε and rate is 4 on average. Compositions have shorter
-        // stages.
+        // The trials begin with steps for which ε times the rate of turning is 4 on average.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = TrialOrbits { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::counted(runs, self.scene.tolerance);
@@ -132,7 +132,7 @@ where
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < LOST {
-                    // The factor 2 allows for rounding errors that vary with ε.
+                    // At another ε the error may be twice as large, because of rounding errors.
                     NoSetting::OutOfReach {
                         best: libm::exp2(libm::log2(2.0 * VOUCHING * least_error).ceil()),
                     }
@@ -166,7 +166,7 @@ where
     }
 
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
-        // The comparison with the flow costs about as much as one step.
+        // The comparison of a point with the flow costs about as much as one step of the map.
         let work_of_step = setting.scheme.composition.stages() as f64 + 1.0;
         if setting.steps as f64 * work_of_step > share * self.budget.left {
             self.is_short_of_work = true;
@@ -181,7 +181,8 @@ where
             last = n;
             worst = worst.max(along.distance(dt * Dd::from(n as f64), x));
             if n == setting.steps {
-                // The last point is also compared with the flow at the end of the time span.
+                // The time of the last point may differ from the horizon, so this point is compared
+                // at both times.
                 worst = worst.max(flow.distance(scene.horizon.into(), x));
             }
             worst <= lost

@@ -155,7 +155,6 @@ fn folds_and_pairs_on_the_circle_are_where_formulas_say() {
     };
     let branch = flow_branch(map, &cycles[0], [0.25, -0.25], 20, |_| ControlFlow::Continue(()));
     assert_eq!((branch.turns.len(), branch.turns[0].change), (1, BranchChange::Fold), "{:?}", branch.turns);
-    // The map has the steady states of the field.
     assert!(branch.turns[0].parameter.abs() < 1e-7, "{:?}", branch.turns);
     let last = branch.points.last().expect("points");
     assert!(last.parameter > 0.0 && last.cycle.points[0][3] < 0.0 && !branch.is_cut, "{last:?}");

@@ -14,13 +14,14 @@ pub(super) const COUNTED: SearchParameters = SearchParameters {
     surplus: 1.0,
     leaps: true,
     surely: 1.5,
-    // The trial that checks the flow needs some of the time.
+    // One trial may take less than half of the remaining time, because the trial that checks the
+    // flow must follow.
     share: 0.45,
 };
 /// The distance of an orbit in `Dd` from an accurate flow is below the tolerance divided by this
 /// factor.
 pub(in crate::scene) const VOUCHING: f64 = 10.0;
-/// The most trials of another scheme, from where plain `f64` met rounding errors.
+/// If plain `f64` has too large rounding errors, another scheme gets at most this number of trials.
 const MORE_RUNGS: usize = 5;
 
 pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);

@@ -24,7 +24,8 @@ impl<L: Trials> Search<L> {
                 .filter_map(|order| Some((WIDE.composed(order), self.steps_to(order, wanted)?)));
             let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
             let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
-                // No other order agrees better, so the difference is the flow's rounding error.
+                // Orbits of other orders agree no better with the flow, so the flow has large
+                // rounding errors.
                 self.is_rough = true;
                 return;
             };
@@ -54,7 +55,8 @@ impl<L: Trials> Search<L> {
             return None;
         }
         let steps = finest.steps as f64;
-        // The law error ∝ ε^order gives a lower bound for larger errors.
+        // For errors above `SMALL` the law error ∝ ε^order is not used, and the number of steps is
+        // doubled.
         let next =
             if finest.error < SMALL { by_law(finest).clamp(1.3 * steps, 4.0 * steps) } else { 2.0 * steps };
         Some(next.ceil() as u64)

@@ -24,9 +24,9 @@ pub(super) use choose::{OF_DOUBLE, OTHERS, PLAIN, VOUCHING, Verdict, WIDE};
 
 /// The error above which the orbit has lost the phase of the trajectory.
 const SMALL: f64 = 0.1;
-/// The ratio of two errors above which they count as equal.
+/// Two errors are treated as equal if the smaller divided by the larger exceeds this.
 const STALL: f64 = 0.7;
-/// The ratio of two numbers of steps below which they count as equal.
+/// Two numbers of steps are treated as equal if the larger divided by the smaller is below this.
 const CLOSE: f64 = 1.06;
 const GRID: f64 = 1.1;
 const TRIALS: usize = 5;
@@ -37,7 +37,7 @@ pub trait Trials {
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting;
 
     /// Returns the error of a setting, which is infinite if the setting is useless. Returns `None`
-    /// if the trial would take more than `share` of the remaining time.
+    /// if the trial would take more than the fraction `share` of the remaining time.
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64>;
 
     /// Returns the price of one step.
@@ -48,8 +48,9 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to stop the trials of a scheme before the trial with `next` steps. The last
-    /// trial with about `end` steps would take more than `share` of the remaining time.
+    /// Returns whether to stop the trials of a scheme before the trial with `next` steps. The
+    /// reason to stop is that the last trial, with about `end` steps, would take more than the
+    /// fraction `share` of the remaining time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
@@ -120,8 +121,8 @@ impl<L: Trials> Search<L> {
         self.tried.iter().any(|trial| trial.scheme == scheme)
     }
 
-    /// Returns the cheapest accepted setting, and the most accurate one among settings of equal
-    /// cost.
+    /// Returns the cheapest accepted setting. Of several settings with equal cost, returns the most
+    /// accurate one.
     #[must_use]
     pub fn best(&self) -> Option<Setting> {
         let serve = self.tried.iter().filter(|trial| trial.error <= self.enough());
@@ -204,7 +205,6 @@ impl<L: Trials> Search<L> {
             if dearest / low < CLOSE || guess >= CLOSE * dearest {
                 return;
             }
-            // With few steps, the next integer may be the solution.
             let steps = (guess.clamp(1.02 * low, 0.98 * dearest).round() as u64).max(last.steps + 1);
             if steps as f64 >= dearest || self.trial(scheme, steps, self.rules.share).is_none() {
                 return;

@@ -7,13 +7,16 @@ use kahan_core::Composition;
 
 use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
 
-/// The accepted relative deviation of a gain's logarithm from the law error ∝ ε^order.
+/// The gain of a trial is the previous error divided by its error. The logarithm of a gain may
+/// deviate from the law error ∝ ε^order by this fraction.
 const LAWFUL: f64 = 0.3;
 /// The error below which the law error ∝ ε^order is trusted.
 const USEFUL: f64 = 0.01;
-/// The number of successive trials without gain after which rounding errors are checked.
+/// After this number of successive trials without gain, the search tests whether rounding errors
+/// are the reason.
 const STALLS: u32 = 2;
-/// A trial counts as without gain if its logarithmic gain is below this fraction of the prediction.
+/// A trial is without gain if the logarithm of its gain is below this fraction of the predicted
+/// logarithm.
 const LITTLE: f64 = 0.3;
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
@@ -26,7 +29,7 @@ struct ErrorReduction {
     before: f64,
     /// The previous error divided by the current one.
     factor: f64,
-    /// The logarithm of the factor, divided by the logarithm that the order predicts.
+    /// The logarithm of `factor`, divided by the logarithm of the factor that the order predicts.
     part: f64,
 }
 
@@ -96,7 +99,8 @@ impl<L: Trials> Search<L> {
             if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
-            // If a large increase takes too long, twice the steps may be affordable.
+            // If the trial with many more steps takes too long, twice the previous number may be
+            // affordable.
             let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
             let mut rungs = [steps, next].into_iter();
             let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
@@ -105,17 +109,17 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS {
-                // Near the tolerance another trial may meet it by chance, so only the cost stops
-                // the trials.
+                // Near the tolerance a further trial may meet it by chance, in spite of rounding
+                // errors.
                 let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
                     climb.has_stalled = true;
                     break;
                 }
-                // In a stiff motion, coarse steps may meet poles of the map that finer steps avoid.
+                // Coarse steps of a stiff motion may meet poles that finer steps avoid, so the
+                // trials continue.
                 climb.stalls = 0;
             }
-            // The number of steps changes if ε is rounded to fewer bits.
             steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
             if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);
