@@ -1,4 +1,5 @@
-//! Formulas as straight-line programs, in the index i of a site or in the variables of a state.
+//! Formulas as straight-line programs, in the index i of a chain's site or in the variables of a
+//! field.
 //!
 //! A program performs the operations as written, and computes each common subexpression once. A
 //! [`Formula`] runs in doubles, [`Formulas`] in doubles, single precision and fractions.

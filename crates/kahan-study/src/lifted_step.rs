@@ -26,7 +26,7 @@ type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool 
 /// The reason why a point of a lifted field has no successor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiftEnds {
-    /// This new variable would become negative, but is positive by definition.
+    /// The new variable with this index would become negative, but is positive by definition.
     Negative(usize),
     /// Symmetric projection does not converge.
     NotReembedded,
@@ -176,7 +176,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         self.negative(x).is_some()
     }
 
-    /// Returns the end of an orbit with last point `x`: that of the lift, or otherwise `end`.
+    /// Returns [`End::Reembed`] if the projection fails after the last point `x`, otherwise `end`.
     #[must_use]
     pub fn end(&self, end: End, x: &[T]) -> End {
         match end {

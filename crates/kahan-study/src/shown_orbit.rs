@@ -1,6 +1,6 @@
 //! Defaults for ε and the first point, chosen so that a picture shows a typical orbit.
 //!
-//! In other units of length and time, the defaults change by powers of two.
+//! If lengths and times are measured in other units, the defaults change by powers of two.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -319,8 +319,7 @@ mod tests {
         assert_eq!(round_below(f64::INFINITY), Rational::one());
     }
 
-    /// Chooses an orbit with 2^−k as unit of length and 2^−j as unit of time, and converts the
-    /// orbit back.
+    /// Chooses an orbit in units of 2^−k for lengths and 2^−j for times, and converts it back.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
         let power = |exponent: i32| f64::from(exponent).exp2();
         let field = Subject::text(text).study(&Systems).unwrap();

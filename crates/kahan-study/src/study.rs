@@ -285,7 +285,7 @@ impl Study {
         }
         let mut system = self.system().clone();
         for place in 0..system.claims.len() {
-            // A field has at most one unconditional density.
+            // A density becomes unconditional only if the field has no unconditional density yet.
             let claim = &system.claims[place];
             let is_second =
                 claim.kind == ClaimKind::Density && system.accessors(ClaimKind::Density).next().is_some();

@@ -79,7 +79,7 @@ fn of_names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Observable
     Vec::<String>::deserialize(deserializer)?.iter().map(of_name).collect()
 }
 
-/// The observations of an orbit. Exponents are per unit of time; a step takes the time 2ε.
+/// The observations of an orbit. Exponents are growth rates in time; a step takes the time 2ε.
 #[derive(Clone, Debug)]
 pub struct Observed {
     /// The name of the system.

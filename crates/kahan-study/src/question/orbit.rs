@@ -338,7 +338,7 @@ impl Orbit {
         }
     }
 
-    /// Prepares the orbit in doubles, without code for other scalars.
+    /// Prepares the orbit in doubles. Callers of this function alone get no code for other scalars.
     ///
     /// # Errors
     /// The errors of [`begin`](Self::begin).

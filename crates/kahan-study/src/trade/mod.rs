@@ -1,4 +1,4 @@
-//! Error against cost in one scene: scalar, order, compensation and ε.
+//! Compares settings of the integrator (scalar, order, compensation, ε) by error and cost.
 //!
 //! The library's own orbits are run and timed; errors are distances from a certified [`Reference`].
 
@@ -265,7 +265,8 @@ impl<'a> RefinementSearch<'a> {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
             Need::Trajectory => {
-                // Orbits with a rounded ε overshoot the horizon, so the trajectory is longer.
+                // The trajectory gets a `margin`, since orbits with a rounded ε overshoot the
+                // horizon.
                 let is_over = || clock() > deadline;
                 // Errors are measured in the variables of the original equations.
                 let variables = Some(study.coordinates().len());

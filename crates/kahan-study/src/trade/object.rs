@@ -1,4 +1,4 @@
-//! The JSON of some parts of a trade's answer.
+//! Converts some parts of the answer to a [`Trade`](super::Trade) to JSON.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};

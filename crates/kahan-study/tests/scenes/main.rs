@@ -78,7 +78,7 @@ where
     worst
 }
 
-/// Returns a setting whose three runs cost at most as much as a choice may.
+/// Returns a setting within the budget whose error is at most the tolerance, if there is one.
 fn within_budget<M, const N: usize>(
     scene: &Scene,
     map: &M,

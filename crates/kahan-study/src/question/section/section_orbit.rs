@@ -157,7 +157,7 @@ impl SectionOrbit {
         self.end = (end != End::Complete).then(|| end.after(before));
     }
 
-    /// Passes the crossings to a consumer, each after `values`, and empties the buffer.
+    /// Passes a row with `values` and each crossing to a consumer, and empties the buffer.
     pub(super) fn pass_crossings(
         &mut self,
         columns: &[Column],

@@ -20,7 +20,7 @@ const STEPS: u64 = 1024;
 /// Fewer orbits than this number are followed one by one.
 const FEWEST: usize = 4;
 
-/// The data of the question, which are the same for all orbits.
+/// The parts of the question that are the same for all orbits.
 pub(super) struct SectionRequest<'a> {
     pub(super) study: &'a Study,
     pub(super) direction: Direction,
