@@ -38,11 +38,11 @@ pub trait Arithmetic {
     }
     /// Returns whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Returns whether a is a better pivot: the larger of two floats, or the only nonzero value.
+    /// Returns whether a is the better pivot. By default, any nonzero value is better than zero.
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }
-    /// Returns whether a is a float so far from 0 and overflow that 1/a may replace division by a.
+    /// Returns whether division by a may be computed as multiplication by the rounded 1/a.
     fn is_moderate(&self, _a: &Self::Value) -> bool {
         false
     }

@@ -15,10 +15,10 @@ pub trait ExactConstant: Clone + Eq + Hash {
     fn is(&self, n: i64) -> bool;
     /// Returns whether the constant is less than 0.
     fn is_negative(&self) -> bool;
-    /// Returns −c.
+    /// Returns the negative of the constant.
     #[must_use]
     fn negated(&self) -> Self;
-    /// Returns c / d for the divisor d; `None` if the quotient cannot be represented.
+    /// Returns the constant divided by `divisor`; `None` if the quotient cannot be represented.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
 }
 
@@ -76,7 +76,7 @@ where
         self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
-    /// Returns the node of −a without simplification of a, for callers that also need a.
+    /// Returns the node of −a, like [`negate`](Self::negate) but without turning x − y into y − x.
     pub fn changed_sign(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,
@@ -111,7 +111,7 @@ where
         }
     }
 
-    /// Returns the absolute value of a if a is a constant.
+    /// Returns the constant |a| if the node a is a constant or the negation of one.
     #[must_use]
     pub fn constant_size(&self, a: Node) -> Option<&C> {
         match *self.operation(a) {
@@ -146,7 +146,7 @@ where
         self.push(Operation::Constant(value.clone()))
     }
 
-    /// Returns −a.
+    /// Returns the node of −a.
     pub fn negate(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,
@@ -156,7 +156,7 @@ where
         }
     }
 
-    /// Returns a + b.
+    /// Returns the node of a + b.
     pub fn add(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(a, 0) {
             return b;
@@ -171,7 +171,7 @@ where
         }
     }
 
-    /// Returns a − b.
+    /// Returns the node of a − b.
     pub fn subtract(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(b, 0) {
             return a;
@@ -185,7 +185,7 @@ where
         }
     }
 
-    /// Returns a · b.
+    /// Returns the node of a · b.
     pub fn multiply(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(a, 0) || self.is_constant(b, 1) {
             return a;
@@ -198,7 +198,7 @@ where
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }
 
-    /// Applies `join` to a and b without their signs; `None` if neither is a negation.
+    /// Joins a and b without their minus signs, and restores the sign; `None` if neither has one.
     fn with_sign_outside(
         &mut self,
         a: Node,
@@ -215,7 +215,7 @@ where
         Some(if own.is_some() != other.is_some() { self.negate(joined) } else { joined })
     }
 
-    /// Returns a / b. A division by the constant 0 fails only when the program runs.
+    /// Returns the node of a / b. A division by the constant 0 fails only when the program runs.
     pub fn divide(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(b, 1) {
             return a;
@@ -227,7 +227,7 @@ where
         self.with_sign_outside(a, b, Self::divide).unwrap_or_else(|| self.push(Operation::Divide(a, b)))
     }
 
-    /// Returns a^n, where n is `exponent`, by repeated squaring; a^0 is 1.
+    /// Returns the node of a^n, where n is `exponent`, by repeated squaring; a^0 is 1.
     pub fn power(&mut self, a: Node, exponent: u32) -> Node {
         match exponent {
             0 => self.constant(&C::one()),

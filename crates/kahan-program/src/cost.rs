@@ -126,7 +126,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         let at = |node: Node| ready[node.0];
         let candidate = match self.operations[index] {
             Operation::Add(a, b) => {
-                // Of two products, fuse the one that is ready later.
+                // Of two products, the one that is ready later is fused with the addition.
                 let (late, early) = if at(a) > at(b) { (a, b) } else { (b, a) };
                 match (product(late), product(early)) {
                     (Some((x, y)), _) => Some(Operation::MultiplyAdd(x, y, early)),

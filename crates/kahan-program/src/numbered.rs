@@ -11,7 +11,6 @@ use alloc::vec::Vec;
 
 use rustc_hash::FxHasher;
 
-/// Marks the end of a bucket.
 const NONE: u32 = u32::MAX;
 
 /// A set of distinct items, numbered in order of insertion.

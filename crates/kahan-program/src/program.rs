@@ -115,8 +115,8 @@ where
     C: Clone + core::hash::Hash + Eq,
     F: Function + Clone + core::hash::Hash + Eq,
 {
-    /// Joins programs into one with all their outputs in order. Operations that several programs
-    /// share are computed once.
+    /// Joins programs into one with all their outputs in order. Operations that occur in several
+    /// programs are computed once.
     #[must_use]
     pub fn together<'a>(programs: impl IntoIterator<Item = &'a Self>) -> Self
     where

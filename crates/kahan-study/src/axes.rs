@@ -1,7 +1,7 @@
 //! Axes of a question in JSON, as an object from names to values:
 //! `{"a": "0:1:/9", "eps": "1/10:1:5"}`.
 //!
-//! Use `#[serde(with = "axes")]` on a [`NamedValues`], an optional entry or a list of entries.
+//! Use `#[serde(with = "axes")]` on a [`NamedValues`], an optional one or a list of them.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -39,13 +39,13 @@ impl NamedValues for Axis {
     }
 }
 
-/// One entry, an optional entry, or a list of entries.
+/// One [`NamedValues`], an optional one, or a list of them.
 pub(crate) trait NamedValueList: Sized {
     type Entry: NamedValues;
 
     fn entries(&self) -> &[Self::Entry];
 
-    /// Builds the value from a list of entries, unless the list is too short or too long.
+    /// Builds the value from a list; fails if the list is too short or too long.
     fn of(entries: Vec<Self::Entry>) -> Result<Self, &'static str>;
 }
 
@@ -129,7 +129,7 @@ impl<'de, E: NamedValues> Visitor<'de> for Object<E> {
     }
 }
 
-/// Deserializes the values of one name; errors hold the path.
+/// Reads the values of the axis with this name.
 struct Named<'a, E>(&'a str, PhantomData<E>);
 
 impl<'de, E: NamedValues> DeserializeSeed<'de> for Named<'_, E> {

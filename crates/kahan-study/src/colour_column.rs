@@ -12,7 +12,7 @@ use crate::study::Study;
 pub struct ColourColumn {
     /// The observable.
     pub observable: Observable,
-    /// The name of the column. The name of [`Observable::Drift`] selects the largest drift.
+    /// The name of the column, or the name of [`Observable::Drift`] for the largest of all drifts.
     pub column: String,
 }
 
@@ -50,8 +50,8 @@ impl ColourColumn {
         self.observable == Observable::Drift && self.column == self.observable.name()
     }
 
-    /// Returns the number of each row of a table with this observable only; NaN for an orbit
-    /// without such a number.
+    /// Returns the observed number of each row; NaN for an orbit without such a number. The table
+    /// must be the answer to a question that observes only this observable.
     ///
     /// # Panics
     /// If the table has other columns.
@@ -79,7 +79,7 @@ impl ColourColumn {
         let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
         let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
         if self.observable == Observable::Escape {
-            // An orbit that left the range of doubles also exceeded the size, if it made a step.
+            // An orbit that left the range of doubles has exceeded every bound in its next step.
             for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
                 values[row] = (steps[row] + 1) as f64;
             }

@@ -24,7 +24,7 @@ pub enum OtherColumns {
     Used,
     /// Parameters and `eps` have one value each, given elsewhere; all other columns are refused.
     Refused,
-    /// Other columns are ignored; a plan gives the values of parameters and `eps`.
+    /// Other columns are ignored; parameters and `eps` have values from elsewhere.
     Ignored,
 }
 

@@ -15,7 +15,7 @@ pub struct WorkCount<'a> {
 }
 
 impl<'a> WorkCount<'a> {
-    /// Starts a count up to `of` pieces of work, which reports call `what`.
+    /// Starts a count up to the expected total `of`. In reports, `what` names the counted things.
     pub fn new(what: &'static str, of: u64, watch: &'a dyn Watch) -> Self {
         WorkCount { what, of, watch, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
     }

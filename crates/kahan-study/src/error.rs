@@ -41,7 +41,7 @@ pub enum StudyError {
     },
     /// The field has no parameter of this name.
     UnknownParameter {
-        /// The field.
+        /// The name of the field.
         system: String,
         /// The given name.
         name: String,
@@ -50,12 +50,12 @@ pub enum StudyError {
     },
     /// A parameter has two values.
     ParameterTwice {
-        /// The parameter.
+        /// The name of the parameter.
         name: String,
     },
-    /// Parameters have no values.
+    /// Some parameters have no values.
     MissingParameters {
-        /// The field.
+        /// The name of the field.
         system: String,
         /// The missing parameters.
         names: Vec<String>,
@@ -69,7 +69,7 @@ pub enum StudyError {
         /// The number of given coordinates.
         given: usize,
     },
-    /// Variables of a question over axes have no initial values.
+    /// Some variables have no initial values in a question over axes.
     MissingCoordinates {
         /// The variables.
         names: Vec<String>,
@@ -83,14 +83,14 @@ pub enum StudyError {
     },
     /// The field divides by zero at the values of its parameters.
     UndefinedField {
-        /// The field.
+        /// The name of the field.
         system: String,
         /// The values of the parameters.
         parameters: Vec<(String, Rational)>,
     },
     /// Coefficients are wanted as numbers, but depend on ε.
     CoefficientsOfEps {
-        /// The field.
+        /// The name of the field.
         system: String,
     },
     /// A number is not positive, or beyond the range of doubles.
@@ -100,9 +100,9 @@ pub enum StudyError {
         /// The given number.
         value: Rational,
     },
-    /// A search of the map is impossible.
+    /// The search for preserved structures does not support this field.
     Discover {
-        /// The field.
+        /// The name of the field.
         system: String,
         /// The reason.
         why: DiscoverError,
@@ -120,7 +120,7 @@ pub enum StudyError {
     UnknownAxis {
         /// The kind of name that the question allows, in a negated form, such as `no parameter`.
         what: &'static str,
-        /// The field.
+        /// The name of the field.
         system: String,
         /// The given name.
         name: String,
@@ -164,14 +164,14 @@ pub enum StudyError {
     },
     /// No cycle was found near the point.
     NoCycle {
-        /// The field.
+        /// The name of the field.
         system: String,
         /// The reason.
         why: NoPeriodicPoint,
     },
     /// A cycle of the flow is asked for, but the field depends on t.
     CycleOfTime {
-        /// The field.
+        /// The name of the field.
         system: String,
     },
     /// ε is both an unknown and an axis.
@@ -192,21 +192,21 @@ pub enum StudyError {
     },
     /// A number is beyond the range of the scalar.
     BeyondRange {
-        /// The field of the question that holds the number: `at`, `param` or `eps`.
+        /// The entry of the question that holds the number: `at`, `param` or `eps`.
         what: &'static str,
         /// The name of the number.
         name: String,
-        /// The scalar.
+        /// The scalar type of the computation.
         scalar: ScalarKind,
     },
     /// No composition has this order.
     Order(u32),
     /// A drift is asked for, but the field claims no integral.
     NoIntegral {
-        /// The field.
+        /// The name of the field.
         system: String,
     },
-    /// No observable has such a column.
+    /// No observable has a column of this name.
     UnknownColumn {
         /// The given name.
         name: String,
@@ -238,7 +238,7 @@ pub enum StudyError {
     NoClock,
     /// The requested comparison of settings has nothing to measure.
     Trade {
-        /// The field.
+        /// The name of the field.
         system: String,
         /// The reason why nothing can be measured.
         why: CannotTrade,
@@ -260,8 +260,8 @@ impl StudyError {
     }
 }
 
-/// Spells a named value in the style of a front end, such as `--eps 1/2`. An empty `value` stands
-/// for every value.
+/// Spells a named value in the style of a front end, such as `--eps 1/2`. If `value` is empty, only
+/// the name is spelled.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
 /// Spells a named value in the style of JSON, TOML and Python: the name, then the value.

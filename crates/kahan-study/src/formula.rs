@@ -1,4 +1,5 @@
-//! Formulas as straight-line programs, in the index i of a site or in the variables of a state.
+//! Formulas as straight-line programs, in the index i of a chain's site or in the variables of a
+//! field.
 //!
 //! A program performs the operations as written, and computes each common subexpression once. A
 //! [`Formula`] runs in doubles, [`Formulas`] in doubles, single precision and fractions.
@@ -44,7 +45,7 @@ const FUNCTIONS: [(&str, Unary); 15] = [
 /// A function called by a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
-    /// A function of one number: an index of `FUNCTIONS`.
+    /// A function of one number, given by its index in `FUNCTIONS`.
     Named(usize),
     /// a^b, computed by multiplications if b is an integer with |b| ≤ 1024.
     Power,
@@ -98,7 +99,6 @@ type Builder = kahan_program::Builder<usize, Rational, Called>;
 #[derive(Clone, Debug)]
 pub struct Formula {
     program: Program<Vec<Operation>>,
-    /// A workspace that already holds the values of known numbers.
     known: Vec<f64>,
     /// The variables that occur, each with the index of its value in the workspace.
     variables: Vec<(usize, usize)>,
@@ -127,8 +127,8 @@ impl Formula {
         self.of(&[site as f64])
     }
 
-    /// Returns the value at these variables. Allocates a workspace on each call, unlike
-    /// [`function`](Self::function).
+    /// Returns the value at these values of the variables. Allocates a workspace on each call,
+    /// unlike [`function`](Self::function).
     #[must_use]
     pub fn of(&self, variables: &[f64]) -> f64 {
         self.run(variables, &mut self.known.clone())
@@ -155,15 +155,15 @@ impl Formula {
     }
 }
 
-/// Several formulas in one list of names. In doubles, results have the same bits as [`Formula`].
+/// Several formulas in the same variables, with the same results in doubles as [`Formula`].
 #[derive(Clone, Debug)]
 pub struct Formulas {
     program: Program<Vec<Operation>>,
 }
 
 impl Formulas {
-    /// Reads formulas in these names, or returns the first mistake. Formulas and later definitions
-    /// may use the named `definitions`.
+    /// Reads formulas in the variables `names`, or returns the first mistake. Each definition gives
+    /// a name to a formula, for use in the later definitions and in `texts`.
     pub fn read(names: &[&str], definitions: &[(&str, &str)], texts: &[&str]) -> Result<Self, NoFormula> {
         let mut builder = Builder::default();
         let mut defined: Vec<(&str, Node)> = Vec::new();
@@ -177,7 +177,7 @@ impl Formulas {
         Ok(Formulas { program: builder.finish(&outputs?) })
     }
 
-    /// Returns the indices of the names that the formulas use.
+    /// Returns the indices of the variables that the formulas use.
     #[must_use]
     pub fn needed(&self) -> Vec<usize> {
         self.program.inputs()
@@ -189,9 +189,9 @@ impl Formulas {
         self.program.outputs.len()
     }
 
-    /// Computes the formulas at points: `inputs` has a row for each [`needed`](Self::needed) name,
-    /// and `outputs` has a row for each point. In exact arithmetic, returns `None` if a formula is
-    /// undefined.
+    /// Computes the formulas at points: `inputs` has a row for each [`needed`](Self::needed)
+    /// variable, and `outputs` has a row for each point. In exact arithmetic, returns `None` if a
+    /// formula is undefined.
     ///
     /// # Panics
     /// If a row of `inputs` lacks values.
@@ -221,7 +221,7 @@ impl Formulas {
     }
 }
 
-/// Values of names, in addition to `pi`.
+/// Named numbers that formulas may use, besides `pi`.
 pub type NamedConstants = [(String, f64)];
 
 const OF_SITES: [&str; 1] = ["i"];
@@ -328,7 +328,7 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Combines operands from left to right by `operator`, or by `inverse` if flagged.
+    /// Joins operands from left to right by `operator`, or by `inverse` where the flag is set.
     fn chain<'a>(
         &self,
         builder: &mut Builder,

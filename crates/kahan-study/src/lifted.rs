@@ -26,11 +26,11 @@ use crate::study::Study;
 pub struct Lifting {
     /// The kind of lift.
     pub which: LiftCriterion,
-    /// The first point of the orbit along which lifts are compared, by default that of the text.
+    /// The first point of the orbit along which lifts are compared, by default the one in the text.
     pub start: Option<Vec<Rational>>,
-    /// The names of the coordinates of `start`; empty for the order of the variables.
+    /// The names of the coordinates of `start`; if empty, these are in the order of the variables.
     pub names: Vec<String>,
-    /// Values of parameters for the comparison of lifts, if no other values are given.
+    /// Values of parameters at which lifts are compared, for parameters without a given value.
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
@@ -62,7 +62,7 @@ pub(crate) struct Lifted {
     /// The variables that answers show; `places` holds the index of each among all variables.
     shown: Vec<String>,
     places: Vec<usize>,
-    /// The index of each lift parameter among the field's parameters.
+    /// For each parameter of the lift, its index among the parameters of the field.
     parameters: Vec<Option<usize>>,
     /// The derivatives of the new variables by the original variables, computed on first use.
     slopes: OnceLock<Embedding>,
@@ -104,7 +104,7 @@ impl Lifted {
         let lift = read.map_err(StudyError::Field)?;
         let states = lift.states.len() - usize::from(lift.has_time);
         let original = lift.states[..states].to_vec();
-        // A text that is already quadratic keeps its claims.
+        // If the text is already quadratic, its claims are kept as written.
         let as_written =
             (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
         let (text, system) = match as_written {
@@ -144,7 +144,7 @@ impl Lifted {
     }
 }
 
-/// Returns the rational constants and the claims of a block as text, with the defined names.
+/// Returns a text with the claims and their rational constants, and the names that it defines.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();
@@ -368,9 +368,9 @@ const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
 /// The number of segments in an eighth of an orbit.
 const EIGHTH: usize = 50;
-/// The growth of an error, from the first to the last eighth of an orbit, that counts as drift.
+/// An error that grows by this factor from the first to the last eighth of an orbit drifts.
 const DRIFT: f64 = 1.5;
-/// The size up to which the error of a relation counts as rounding.
+/// Errors of relations up to this size are attributed to rounding.
 const ROUNDING: f64 = 1e-11;
 
 impl RelationErrors {
@@ -384,7 +384,7 @@ impl RelationErrors {
 }
 
 impl Study {
-    /// Measures the errors of the relations along an orbit over 100 units of time.
+    /// Measures the errors of the relations along an orbit until t = 100.
     pub(crate) fn watched(&self, at: &[Rational], eps: f64) -> Result<RelationErrors, StudyError> {
         let steps = (HORIZON / (2.0 * eps)).ceil().clamp(8.0, 1e7) as u64;
         self.relation_errors(at, &Rational::from_f64(eps).unwrap_or_default(), steps, 8 * EIGHTH)
@@ -482,7 +482,7 @@ pub struct LiftFound {
     pub watched: Option<WatchedOrbit>,
 }
 
-/// An orbit over 100 units of time, with the errors of the relations along it.
+/// An orbit until t = 100, with the errors of the relations along it.
 #[derive(Clone, Debug)]
 pub struct WatchedOrbit {
     /// The first point, in the original variables.
@@ -498,7 +498,7 @@ pub struct WatchedOrbit {
 pub struct NewFound {
     /// The name of the variable.
     pub name: String,
-    /// The variable as a function of the original variables; `None` for mechanical work.
+    /// The variable as a function of the original variables; `None` for the work of a force.
     pub expression: Option<String>,
     /// The expression in LaTeX.
     #[serde(skip)]
@@ -517,7 +517,7 @@ pub struct RelationFound {
     pub along: Option<RelationFate>,
     /// The formula that the map preserves exactly.
     pub formula: Option<String>,
-    /// The largest growth exponent of the linearised errors of all relations along the orbit.
+    /// The largest exponent with which small errors of the relations grow along the orbit.
     #[serde(serialize_with = "finite")]
     pub rate: Option<f64>,
     /// The index, among the new variables, of the variable that the relation defines.
@@ -547,7 +547,7 @@ pub enum RelationFate {
 }
 
 impl RelationFate {
-    /// Combines the behaviour of the linearised error with the measured growth.
+    /// Combines the computed behaviour of small errors with the measured growth.
     fn of(along: RelationBehaviour, drift: Option<f64>) -> Self {
         match along {
             RelationBehaviour::Kept => RelationFate::Kept,

@@ -20,19 +20,19 @@ pub struct LiftedStep<'a, S: Step> {
     projection: Option<Projection<'a, S::Scalar>>,
 }
 
-/// Advances a point on the relations by the given step; returns `false` without convergence.
+/// A step with projection onto the relations of a lift; returns `false` without convergence.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
 /// The reason why a point of a lifted field has no successor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiftEnds {
-    /// This new variable would become negative, but is positive by definition.
+    /// The new variable with this index would become negative, but is positive by definition.
     Negative(usize),
     /// Symmetric projection does not converge.
     NotReembedded,
 }
 
-/// The growth of a relation's error along an orbit that counts as exponential.
+/// An error of a relation that grows by more than this factor along an orbit causes a warning.
 const GROWTH: f64 = 100.0;
 
 impl LiftEnds {
@@ -74,8 +74,8 @@ impl Study {
         if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }
     }
 
-    /// Warns if the lift was chosen without an orbit, and errors of relations grow more than
-    /// 100-fold along the orbit of this start. Costs an orbit over 100 units of time.
+    /// Warns if the lift was chosen without an orbit, and an error of its relations grows more than
+    /// 100-fold along the orbit of this start until t = 100. Computes this orbit.
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
@@ -92,7 +92,7 @@ impl Study {
         ))
     }
 
-    /// Returns the steps of a lifted field, projected if `reembed`; `None` if the map suffices.
+    /// Returns steps with the lift's checks or projection; `None` if the map's own steps suffice.
     #[must_use]
     pub fn steps<T: RuntimeFloat + EmbedScalar>(
         &self,
@@ -146,7 +146,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
                 self.negative(x).is_none()
             }
             Some(project) => {
-                // The first step starts on the relations, so signs are checked only afterwards.
+                // Only the first step starts on the relations, so only its result is checked.
                 let (mut is_first, mut has_signs) = (true, true);
                 let is_there = project(x, &mut |point| {
                     step(point);
@@ -176,7 +176,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         self.negative(x).is_some()
     }
 
-    /// Returns the end of an orbit with last point `x`: that of the lift, or otherwise `end`.
+    /// Returns [`End::Reembed`] if the projection fails after the last point `x`, otherwise `end`.
     #[must_use]
     pub fn end(&self, end: End, x: &[T]) -> End {
         match end {

@@ -51,7 +51,7 @@ pub struct FamilyListed {
     pub claims: Vec<String>,
 }
 
-/// Lists a catalog, in milliseconds for each field. Fails if a text has mistakes.
+/// Lists a catalog, which takes milliseconds for each entry. Fails if a text has mistakes.
 pub fn list(catalog: &dyn Catalog) -> Result<Listed, StudyError> {
     let mut listed = Listed { systems: Vec::new(), families: Vec::new() };
     for named in catalog.names().into_iter().filter_map(|[name, _]| catalog.find(name)) {

@@ -109,7 +109,7 @@ impl Numbers<Option<Rational>> {
     }
 }
 
-/// Reads CSV with comments after `#`. The last comment with a word for each column holds the names.
+/// Reads CSV with comments after `#`. A comment with a word for each column holds the names.
 fn table<V: FileNumber>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
     let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
@@ -167,7 +167,7 @@ fn table<V: FileNumber>(text: &[u8]) -> Result<Numbers<V>, String> {
     Ok(numbers)
 }
 
-/// Reads the names of all columns from a comment, if there are so many names.
+/// Reads a name for each column from a comment; `None` if the number of words differs.
 fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     let comment = comment.trim_start_matches('#').trim();
     let between: [Vec<&str>; 2] = [comment.split(',').collect(), comment.split_whitespace().collect()];

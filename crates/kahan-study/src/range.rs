@@ -153,7 +153,7 @@ impl Range {
             Spacing::Count(count) | Spacing::Cells(count) => *count,
             Spacing::Step(step) => {
                 let steps = (&self.to - &self.from).checked_div(step).expect("a range has steps");
-                // Rounding can carry the quotient up to the next whole number, but no further.
+                // Rounding can increase the quotient to the next whole number, but not beyond.
                 let near = steps.to_f64() as usize;
                 if Rational::from(near as i64) > steps { near } else { near + 1 }
             }
@@ -263,7 +263,7 @@ mod tests {
         assert_eq!(values(" 1 : -1 : 1e1 ").len(), 10);
         assert_eq!(values("1:-1:+-1"), ["1", "0", "-1"]);
         assert_eq!(values("1:0:/2"), ["3/4", "1/4"]);
-        // One more value would pass the end, but only by less than the precision of a float.
+        // The value 3 exceeds the end, although the end rounds to the double 3.
         assert_eq!(values("0:2.9999999999999999999999:+1").len(), 3);
     }
 

@@ -18,7 +18,7 @@ const MANY: usize = 32;
 /// The value of |2ελ| above which a component is not resolved.
 const FAST: f64 = 2.0;
 
-/// The numbers of products by f′ before and during the measurement of growth.
+/// The numbers of multiplications by f′ before and during the measurement of growth.
 const PRODUCTS: [u32; 2] = [16, 32];
 
 /// The rates of a field at points of an orbit.
@@ -56,7 +56,7 @@ impl Rates {
         self.variables
     }
 
-    /// Checks a point. Costs the matrix f′, and some products by f′ if the norm of f′ is large.
+    /// Checks a point. Computes f′ and, if its norm is large, about 50 products of f′ and a vector.
     pub fn inspect(&mut self, x: &[f64]) {
         let Self { at, jacobian, points: [count, fast], largest, .. } = self;
         if !x.iter().all(|x| x.is_finite()) || at.field_jacobian(x, jacobian).is_err() {

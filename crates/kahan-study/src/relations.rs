@@ -99,8 +99,8 @@ fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
 }
 
 impl Subject {
-    /// Reads the field like [`study`](Subject::study). A lift without a first point is chosen along
-    /// [`Study::shown_orbit`], if all parameters have values.
+    /// Reads the field like [`study`](Subject::study). Without a known first point, the lift is
+    /// chosen along [`Study::shown_orbit`], if all parameters have values.
     ///
     /// # Errors
     /// The errors of [`study`](Subject::study).

@@ -1,6 +1,6 @@
 //! Defaults for ε and the first point, chosen so that a picture shows a typical orbit.
 //!
-//! A change of the units of length and time changes the defaults by powers of two.
+//! If lengths and times are measured in other units, the defaults change by powers of two.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -29,7 +29,7 @@ pub struct ShownOrbit {
 }
 
 const STEPS: u64 = 4000;
-/// The size of a point, relative to the first point, above which an orbit counts as escaped.
+/// An orbit has escaped if a point exceeds the size of the first point by this factor.
 const REACH: f64 = 1e3;
 /// The error of a lift's relations above which a smaller ε is tried.
 const LARGEST_ERROR: f64 = 0.1;
@@ -71,7 +71,7 @@ impl Study {
                     continue;
                 }
             };
-            // For a quadratic field, the rate is a norm that overestimates the frequency.
+            // Without a lift, `rate` is a norm that exceeds the frequency, so ε may be larger.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
             // The second trial uses the rates along the first orbit; lifted fields get two more.
@@ -158,8 +158,8 @@ impl<'a> StepsAndRates<'a> {
         values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
 
-    /// Returns ‖f′‖∞, or for a lifted field ‖J²‖∞^(1/2), where J is the Jacobian of the original
-    /// equations.
+    /// Returns ‖f′‖∞. For a lifted field, returns ‖J²‖∞^(1/2), where J is the Jacobian of the
+    /// original equations.
     fn rate(&self, x: &[f64]) -> f64 {
         /// The step size of central differences, about the cube root of the rounding error.
         const STEP: f64 = 1e-5;
@@ -212,7 +212,6 @@ impl TrialOrbit {
         let is_within = |x: &[f64]| x[..original].iter().all(|x| x.abs() <= REACH * size);
         let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
         let (mut late, mut steepest, mut error, mut steps) = (extremes.clone(), 0.0f64, 0.0f64, 0);
-        // An escaped point does not widen the extremes.
         while steps < STEPS && is_within(&x) {
             widen(&mut extremes, &x);
             if steps == STEPS / 2 {
@@ -232,7 +231,7 @@ impl TrialOrbit {
         TrialOrbit { shown, steps, moves, rate: steepest, error }
     }
 
-    /// Ranks bounded orbits that move highest, then other bounded orbits, then longer orbits.
+    /// Returns the sort key: bounded moving orbits are best, then bounded ones, then long ones.
     fn rank(&self) -> (bool, bool, u64) {
         (self.shown.stays && self.moves, self.shown.stays, self.steps)
     }
@@ -249,7 +248,7 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 }
 
 /// Returns the length scale of the field, a power of two at which terms of different degrees
-/// balance. In a homogeneous quadratic field, a point of this size moves by its size in time ε.
+/// balance. For a homogeneous quadratic field, points of this size move about this far in time ε.
 fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));
@@ -320,8 +319,7 @@ mod tests {
         assert_eq!(round_below(f64::INFINITY), Rational::one());
     }
 
-    /// Chooses an orbit with 2^−k as unit of length and 2^−j as unit of time, and converts the
-    /// orbit back.
+    /// Chooses an orbit in units of 2^−k for lengths and 2^−j for times, and converts it back.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
         let power = |exponent: i32| f64::from(exponent).exp2();
         let field = Subject::text(text).study(&Systems).unwrap();

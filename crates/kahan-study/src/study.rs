@@ -31,7 +31,7 @@ pub enum NoStep {
     Range,
 }
 
-/// A field with parameter values, planned once and usable from any thread. Clones share the plans.
+/// A field with parameter values, usable from any thread. All clones use the same plans.
 #[derive(Clone, Debug)]
 pub struct Study {
     read: Arc<ReadField>,
@@ -112,7 +112,7 @@ impl Study {
         Study { read: Arc::new(read), here: Arc::clone(&self.here) }
     }
 
-    /// Returns the name of the field: in the catalog, of its type, or `field`.
+    /// Returns the name in the catalog, or else the name of the type, or else `field`.
     #[must_use]
     pub fn name(&self) -> &str {
         self.entry().map_or_else(|| self.system().name(), |named| named.name)
@@ -137,7 +137,7 @@ impl Study {
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 
-    /// Returns the name in the catalog of a system without given parameters.
+    /// Returns the name in the catalog, if this is a system of it and no parameter has a value.
     #[must_use]
     pub fn as_it_stands(&self) -> Option<&'static str> {
         self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
@@ -154,7 +154,7 @@ impl Study {
         self.read.named.as_ref().filter(|named| named.type_name.is_some())
     }
 
-    /// Returns the name of the type in Rust, from the catalog or the header.
+    /// Returns the name of the type in Rust, from the catalog or from the header of the text.
     #[must_use]
     pub fn type_name(&self) -> Option<&str> {
         let of_catalog = self.entry().and_then(|named| named.type_name);
@@ -232,7 +232,7 @@ impl Study {
     }
 
     /// Returns the study at these parameter values, which replace all earlier values. Both studies
-    /// share proofs, plans and compiled code.
+    /// use the same proofs and plans.
     ///
     /// # Errors
     /// An unknown name, or a name given twice.
@@ -285,7 +285,7 @@ impl Study {
         }
         let mut system = self.system().clone();
         for place in 0..system.claims.len() {
-            // A field has at most one unconditional density.
+            // A density becomes unconditional only if the field has no unconditional density yet.
             let claim = &system.claims[place];
             let is_second =
                 claim.kind == ClaimKind::Density && system.accessors(ClaimKind::Density).next().is_some();
@@ -298,7 +298,7 @@ impl Study {
         Ok(Study::new(Arc::new(read), self.given().to_vec()))
     }
 
-    /// Returns the study at other values of the parameters; both share the plans of the field.
+    /// Returns the study at other values of the parameters. Both use the same proofs and plans.
     pub(crate) fn at(&self, given: Vec<Option<Rational>>) -> Self {
         Study::new(Arc::clone(&self.read), given)
     }

@@ -42,7 +42,7 @@ pub(crate) enum SubjectSource {
 
 /// A collection of named fields.
 pub trait Catalog {
-    /// Returns the name of every system and family, and the name of the type.
+    /// Returns for every system and family its name, and the name of its type.
     fn names(&self) -> Vec<[&'static str; 2]>;
 
     /// Finds a system or family by one of its names, in upper or lower case.
@@ -78,7 +78,7 @@ impl Subject {
         Self::block(FieldText::new(text.into(), "field".to_owned()))
     }
 
-    /// Reads a field from a named text, or from a passage of it.
+    /// Reads a field from a text that has a name for messages, or from a passage of such a text.
     #[must_use]
     pub fn block(text: FieldText) -> Self {
         Self::of(SubjectSource::Text(text))

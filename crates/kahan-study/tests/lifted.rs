@@ -142,7 +142,6 @@ fn a_lift_to_show_is_chosen_along_an_orbit() {
 
 #[test]
 fn a_lift_to_show_begins_where_the_original_orbit_stays() {
-    // The rates of lifted variables differ from those of the original variables.
     for (text, largest, smallest, error) in [
         ("x' = -x + tanh(y), y' = -y + tanh(2*x) + 1/10", 0.25, 0.01, 0.11),
         ("xdot = u; ydot = v; udot = -x/(x^2 + y^2)^(3/2); vdot = -y/(x^2 + y^2)^(3/2);", 0.05, 0.0009, 4.0),

@@ -50,7 +50,7 @@ fn every_question_about_orbits_projects_the_same_steps() {
             Observe { order, observe: of, reembed: true, ..Observe::new(eps.clone(), at.clone(), 100) };
         let seen = observe.ask(&study, &Unwatched).expect("observations");
         assert_eq!(seen.of(Observable::Last), Some(&ObservedValue::Point(expected.clone())));
-        // The axis has two values; the second orbit of the chart starts at this point.
+        // The chart has a second orbit, which starts at x = 1 like the orbit above.
         let axis = AxisOver::from(Axis { name: "x".to_owned(), range: Range::read("1/2:1:2").unwrap() });
         let mut table = Table::default();
         let over = Question::Over(Over::new(Question::Observe(observe), vec![axis]));
@@ -86,7 +86,7 @@ fn sections_refine_crossings_on_projected_steps() {
     }
 }
 
-/// A step depends only on its point. Steps back lead to the start, where y = p = 0.
+/// A step depends only on its point, and a step with −ε undoes it.
 #[test]
 fn projected_steps_are_reversible_and_forget_the_steps_before() {
     let study = lifted(KEPLER);

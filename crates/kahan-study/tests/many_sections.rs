@@ -116,7 +116,7 @@ fn tables_do_not_depend_on_threads() {
     assert_eq!(tables[0].1[49].values, [6.0]);
 }
 
-/// A parameter value that belongs to one first point is not combined with other first points.
+/// Each first point has its own parameter value, which is not combined with other first points.
 #[test]
 fn parameters_beside_starts() {
     let study = rossler();

@@ -40,7 +40,6 @@ mod tests {
         for index in 0..100 {
             assert_eq!(uniform.at(index), (stream.next_u64() >> 11) as f64 / 9_007_199_254_740_992.0);
         }
-        // Sweeps that an older version began continue with the same numbers.
         assert_eq!(uniform.at(123_456), 0.8431035305340336);
         assert_ne!(uniform.at(5), Uniform::new(7, 4).at(5));
         assert_ne!(uniform.at(5), Uniform::new(8, 3).at(5));

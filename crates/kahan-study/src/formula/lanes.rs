@@ -17,7 +17,7 @@ pub(crate) struct Abreast {
 }
 
 impl Abreast {
-    /// Combines the formulas of one text at the constants of each orbit. Panics without formulas.
+    /// Combines formulas of the same text, one for each orbit. Panics without formulas.
     pub(crate) fn of(formulas: &[&Formula]) -> Self {
         let own = |lane: usize| &formulas[lane.min(formulas.len() - 1)].known;
         let group = |place: usize| std::array::from_fn(|lane| own(lane)[place]);
@@ -26,7 +26,7 @@ impl Abreast {
         Abreast { program, variables, workspace }
     }
 
-    /// Returns the values at the current points; `points` holds one group for each variable.
+    /// Returns the value on each orbit; `points` holds the values of each variable on all orbits.
     pub(crate) fn at(&self, points: &[Group<f64>]) -> Group<f64> {
         let mut workspace = self.workspace.borrow_mut();
         for (variable, place) in &self.variables {

@@ -14,8 +14,8 @@ pub trait ExactJson: Sized {
     /// Returns the text p/q or p, `null` for `None`, or a list.
     fn to_json(&self) -> Value;
 
-    /// Reads numbers in the grammar of [`Rational::parse`], or names the value that is not a
-    /// number.
+    /// Reads numbers in the grammar of [`Rational::parse`]. The error quotes the value that is not
+    /// a number.
     fn of_json(value: &Value) -> Result<Self, String>;
 }
 

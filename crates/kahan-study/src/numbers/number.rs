@@ -55,7 +55,7 @@ impl fmt::Display for Number {
             Self::F64(value) => write!(f, "{value:?}"),
             Self::Dd(value) => {
                 let text = value.to_string();
-                // An integral value keeps a `.0`, like floats.
+                // A whole number is written with `.0`, as the other floats above.
                 let end = if value.is_finite() && !text.contains(['.', 'e']) { ".0" } else { "" };
                 write!(f, "{text}{end}")
             }

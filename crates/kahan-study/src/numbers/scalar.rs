@@ -25,7 +25,7 @@ impl ScalarKind {
     /// All scalar types.
     pub const ALL: [Self; 4] = [Self::Exact, Self::F32, Self::F64, Self::Dd];
 
-    /// Returns the name in questions and answers.
+    /// Returns the name as users write it in a question: `exact`, `f32`, `f64` or `dd`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -36,7 +36,7 @@ impl ScalarKind {
         }
     }
 
-    /// Returns a description.
+    /// Returns a description of the scalar, such as `Single precision`.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {

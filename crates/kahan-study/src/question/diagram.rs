@@ -47,7 +47,7 @@ pub struct Diagram {
     /// The formula that vanishes on the section; without a formula, all steps are shown.
     #[serde(default)]
     pub plane: Option<String>,
-    /// The sign changes that count as crossings.
+    /// The sign changes of the formula that are crossings: rising, falling or both.
     #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
     /// The most crossings to show.
@@ -89,7 +89,7 @@ pub struct DiagramFound {
 }
 
 impl Diagram {
-    /// Shows the first variable, after a transient of 1000 steps.
+    /// Asks for the values of the first variable, after a transient of 1000 steps.
     #[must_use]
     pub fn new(eps: Option<Rational>, at: Vec<Rational>, over: Axis, steps: u64) -> Self {
         Diagram {

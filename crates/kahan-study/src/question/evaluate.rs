@@ -69,13 +69,13 @@ pub struct Evaluated {
     /// The integrals that are claimed without a condition, or whose condition holds.
     #[serde(serialize_with = "by_name")]
     pub integrals: Names<Option<Number>>,
-    /// The density of the claims that apply.
+    /// The density, if a claim of a density applies.
     pub density: Option<Number>,
-    /// The brackets of the claims that apply, row by row.
+    /// The brackets of the claims that apply; the matrix of each bracket is given row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
-    /// The drifts of the claims that apply, each with a function's values at the point and the
-    /// image.
+    /// The drifts of the claims that apply. A drift claims that a formula gives F(x̃) from x, so
+    /// its two values are F(x) and F(x̃).
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
     /// The reason why the point has no image.

@@ -15,7 +15,7 @@ use crate::study::{NoStep, Study};
 use super::over::{AtCell, CellEntry, column};
 use super::{minute, seconds_since};
 
-/// A request for the growth of the heights of an exact orbit.
+/// A request for the growth of numerators and denominators along an exact orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Heights {
@@ -39,7 +39,7 @@ fn usual_digits() -> u64 {
     1_000_000
 }
 
-/// The heights of an orbit with their growth.
+/// The answer to [`Heights`].
 #[derive(Clone, Debug)]
 pub struct HeightsFound {
     /// The name of the system.

@@ -112,7 +112,7 @@ macro_rules! questions {
 }
 
 questions! {
-    /// Formulas.
+    /// The formulas of the field.
     Show, asked as "show", answered by ShownField, in show;
     /// The value of every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated, in evaluate, also AtCell;
@@ -134,7 +134,7 @@ questions! {
     Discover, asked as "discover", answered by Discovered, in discover, also AtCell;
     /// Special values of parameters and of ε.
     Scan, asked as "scan", answered by ScanFound, in scan;
-    /// Work against accuracy in one scene.
+    /// The cheapest way to compute an orbit with a required accuracy.
     Trade, asked as "trade", answered by Traded;
     /// A check of claims.
     Verify, asked as "verify", answered by Verified, in verify, with "paper";

@@ -1,6 +1,6 @@
 //! Observables of an orbit: exponents, chaos indicators, rotation, drift, escape.
 //!
-//! No orbit is stored. Rotation takes two runs, the first for the middles of the extrema.
+//! No orbit is stored. Rotation needs two runs; the first finds the middle of each range.
 
 use std::ops::ControlFlow;
 
@@ -52,8 +52,8 @@ pub struct Observe {
     /// The number of exponents in the spectrum, largest first; `None` for all.
     #[serde(default)]
     pub spectrum: Option<usize>,
-    /// The size of a variable beyond which the orbit counts as escaped and ends. With `None`,
-    /// [`Observable::Escape`] reports a size beyond a million, and the orbit continues.
+    /// If a variable exceeds this size, the orbit has escaped and ends. With `None`, the orbit goes
+    /// on, and [`Observable::Escape`] reports the first step beyond a million.
     #[serde(default)]
     pub escape: Option<f64>,
     /// Whether steps of a lifted field are projected symmetrically onto the lift's relations.
@@ -79,7 +79,7 @@ fn of_names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Observable
     Vec::<String>::deserialize(deserializer)?.iter().map(of_name).collect()
 }
 
-/// The observations of an orbit. Exponents are per unit of time; a step takes the time 2ε.
+/// The observations of an orbit. Exponents are growth rates in time; a step takes the time 2ε.
 #[derive(Clone, Debug)]
 pub struct Observed {
     /// The name of the system.
@@ -225,7 +225,7 @@ impl Observe {
         self.observe_many(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// Observes one orbit after its transient, and returns the reason if the lift ended the orbit.
+    /// Observes one orbit after its transient. A second result says why the lift ended the orbit.
     pub(super) fn observe_one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -282,7 +282,7 @@ impl Observe {
         found.collect()
     }
 
-    /// Observes one orbit from its start, and returns the reason if the lift ended the orbit.
+    /// Observes one orbit from its start. A second result says why the lift ended the orbit.
     fn one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -374,7 +374,7 @@ fn with_last(of: &[Observable]) -> Vec<Observable> {
     of.iter().copied().chain([Observable::Last]).collect()
 }
 
-/// Adds the steps of the transient to all step numbers of a report.
+/// Adds the steps before the observation to all step numbers of the observation.
 fn later(found: Followed<Vec<ObservedValue>>, before: u64) -> Followed<Vec<ObservedValue>> {
     let later = |seen| match seen {
         ObservedValue::Step(step) => ObservedValue::Step(step.map(|step| step + before)),
@@ -409,7 +409,7 @@ fn after(has_steps: bool, seen: ObservedValue) -> ObservedValue {
     }
 }
 
-/// Writes an observed value; for variables or integrals, a number for each name.
+/// Writes an observed value as JSON; values of all variables or integrals are listed by name.
 fn json_of(seen: &ObservedValue, variables: &[String], integrals: &[String]) -> Value {
     fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
         names.iter().cloned().zip(values.iter().map(value)).collect()

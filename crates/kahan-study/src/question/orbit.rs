@@ -89,7 +89,7 @@ impl Method {
     /// All methods.
     pub const ALL: [Self; 4] = [Self::Kahan, Self::Euler, Self::Rk4, Self::Flow];
 
-    /// Returns the name in questions.
+    /// Returns the name as users write it in a question: `kahan`, `euler`, `rk4` or `flow`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -100,7 +100,7 @@ impl Method {
         }
     }
 
-    /// Returns a description.
+    /// Returns a description of the method, such as `Kahan's map`.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
@@ -314,7 +314,7 @@ impl Orbit {
         self.method == Method::Kahan && self.order == usual_order() && !self.reembed
     }
 
-    /// Returns the study in which the integrals that the orbit preserves hold unconditionally.
+    /// Returns the study whose unconditional integrals are those that the orbit preserves.
     ///
     /// # Errors
     /// The errors of [`Study::at_step`].
@@ -338,7 +338,7 @@ impl Orbit {
         }
     }
 
-    /// Prepares the orbit in doubles, without code for other scalars.
+    /// Prepares the orbit in doubles. Callers of this function alone get no code for other scalars.
     ///
     /// # Errors
     /// The errors of [`begin`](Self::begin).
@@ -412,8 +412,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = OrbitRows { arithmetic, columns: &all, eps, paces };
-            // Near infinity rates are unbounded, exact orbits have long steps on purpose, and other
-            // methods have other growth factors.
+            // Rates are checked for Kahan's map only, not near infinity, and not for exact orbits,
+            // whose long steps are deliberate.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective

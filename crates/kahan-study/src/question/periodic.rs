@@ -43,8 +43,8 @@ pub struct Periodic {
     /// A point near the cycle; if empty, the first point in the text.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// A multiple of the period of the cycle. With `free` ε, roughly the number of steps of a limit
-    /// cycle at `eps`, or 1 to take the number from the orbit.
+    /// A multiple of the period of the cycle. If ε is unknown: roughly the number of steps of the
+    /// limit cycle at `eps`, or 1 if the search must find this number.
     #[serde(default = "one")]
     pub period: usize,
     /// The unknown besides the points. With ε as unknown, the search finds limit cycles of the
@@ -57,12 +57,12 @@ pub struct Periodic {
     /// The axis of the branch: a parameter, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
-    /// The integrals that keep their values at the point `at`.
+    /// The integrals whose values are held fixed during the search, as at the point `at`.
     #[serde(default)]
     pub hold: HeldIntegrals,
 }
 
-/// The integrals that keep their values during the search for a cycle.
+/// The integrals whose values are fixed during the search for a cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum HeldIntegrals {
@@ -77,7 +77,7 @@ impl HeldIntegrals {
     /// All choices.
     pub const ALL: [Self; 2] = [Self::Linear, Self::None];
 
-    /// Returns the name in questions: `linear` or `none`.
+    /// Returns the name as users write it in a question: `linear` or `none`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -102,7 +102,7 @@ pub struct CycleFound {
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The cycle in doubles, with multipliers along the level set of the fixed integrals.
+    /// The cycle in doubles. Its multipliers describe perturbations that keep the held integrals.
     pub cycle: PeriodicPoint,
     /// The linear integrals whose values are held, as equations.
     pub held: Vec<String>,
@@ -114,7 +114,7 @@ pub struct CycleFound {
     pub exact: Option<RationalCycle>,
     /// The name of the axis, and the branch.
     pub branch: Option<(String, Branch)>,
-    /// The extrapolated numbers of each point of a branch of limit cycles, if known.
+    /// Period and parameter at each point of a branch of limit cycles, extrapolated if possible.
     pub rows: Vec<Option<FlowFound>>,
 }
 
@@ -189,8 +189,8 @@ impl CycleFound {
         rows.filter(|(point, _)| point.mark != BranchPointKind::Between)
     }
 
-    /// Returns the eigenvalues of f′ at a steady state; `None` for other cycles. A multiplier μ
-    /// belongs to the eigenvalue λ = (μ − 1)/(ε(μ + 1)).
+    /// Returns the eigenvalues of f′ at a steady state; `None` for other cycles. A multiplier μ of
+    /// the map gives the eigenvalue λ = (μ − 1)/(ε(μ + 1)).
     #[must_use]
     pub fn eigenvalues(&self, cycle: &PeriodicPoint, eps: f64) -> Option<Vec<Complex<f64>>> {
         let of = |multiplier: &Complex<f64>| (multiplier - 1.0) / (multiplier + 1.0) / eps;
@@ -281,7 +281,7 @@ impl Family {
         let floats = |integral: &Vec<(usize, Rational)>| {
             integral.iter().map(|(k, c)| (*k, c.to_f64())).collect::<Vec<_>>()
         };
-        // Limit cycles of a lifted field are in the original variables.
+        // Limit cycles of a lifted field are searched in the original variables.
         let variables = if asked.free.is_some() { study.coordinates().len() } else { start.len() };
         integrals.retain(|integral| integral.iter().all(|(k, _)| *k < variables));
         let floats: Vec<_> = integrals.iter().map(floats).collect();

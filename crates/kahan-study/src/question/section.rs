@@ -45,13 +45,13 @@ pub struct Section {
     /// The formula that vanishes on the section, in the variables, the integrals claimed without a
     /// condition, the parameters and `eps`.
     pub plane: String,
-    /// The sign changes that count as crossings.
+    /// The sign changes of the formula that are crossings: rising, falling or both.
     #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
     /// The most crossings of an orbit; `None` for all.
     #[serde(default, alias = "points")]
     pub crossings: Option<u64>,
-    /// The number of steps before crossings count.
+    /// The number of steps that are made first, and whose crossings are not shown.
     #[serde(default)]
     pub transient: u64,
     /// The order of the method, and of the crossing times.
@@ -181,8 +181,8 @@ impl Section {
         front.chain(own).collect()
     }
 
-    /// Passes the crossings of each orbit to a consumer, one orbit after another. Costs some steps
-    /// for each crossing besides the orbits; memory is bounded.
+    /// Passes the crossings of each orbit to a consumer, one orbit after another. Computes the
+    /// orbits, and some additional steps for each crossing; memory is bounded.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of

@@ -23,7 +23,7 @@ pub use plan::{FunctionCost, Listing, ShownPlans};
 /// The most variables of a field whose matrices are written out.
 const MOST_VARIABLES: usize = 500;
 
-/// A request for the formulas of a field with its given parameters substituted, or for its plan.
+/// A request for the formulas of a field, with given parameters put in, or for its code's costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Show {
@@ -66,7 +66,7 @@ pub enum ShownField {
         #[serde(rename = "macro")]
         block: String,
     },
-    /// The plans of the code.
+    /// The operations of the generated code.
     Plan(Box<ShownPlans>),
 }
 
@@ -81,10 +81,10 @@ pub struct FormulaSheet {
     pub variables: Vec<String>,
     /// The parameters without values.
     pub parameters: Vec<String>,
-    /// The field with the map's coefficients at ε, if they depend on ε.
+    /// If the field depends on ε, the field with which the map is made; otherwise `None`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
-    /// The field f(x) at ε = 0, from which f′ and Q are derived.
+    /// The field f(x), at ε = 0 if it depends on ε. f′ and Q are derived from this field.
     pub field: Vec<String>,
     /// The Jacobian f′(x), row by row.
     pub field_jacobian: MatrixText,
@@ -128,7 +128,7 @@ pub struct ClaimShown {
     pub statement: String,
     /// The condition of the claim, in the language of `kahan!`; empty if it always holds.
     pub when: String,
-    /// The expressions that must not vanish, such as `a2 != 0`; empty if all are numbers.
+    /// The divisors that must not vanish, such as `a2 != 0`; empty if all divisors are numbers.
     pub nonzero: String,
     /// The source that the catalog cites for the claim.
     pub source: Option<&'static str>,
@@ -144,7 +144,7 @@ pub struct ClaimShown {
 }
 
 impl Show {
-    /// Derives the formulas of a system whose claims hold, in milliseconds to a second. Given
+    /// Derives the formulas of a system whose claims hold. Takes milliseconds to a second. Given
     /// parameters are substituted before the map is reduced.
     ///
     /// # Errors

@@ -58,8 +58,8 @@ pub struct Mutated {
 
 impl Verify {
     /// Verifies the claims of a field, or the paper's claims for an unchanged system of the
-    /// catalog. Costs milliseconds for each claim, and some hundred times as much for a claim on an
-    /// orbit.
+    /// catalog. Takes milliseconds for each claim. Claims about an orbit take some hundred times as
+    /// long.
     ///
     /// # Errors
     /// [`StudyError::UndefinedField`]; with `mutate`, also a claim that does not hold.

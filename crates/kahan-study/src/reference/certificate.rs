@@ -27,7 +27,7 @@ pub struct Certificate {
     /// The largest difference from the second method, relative to the trajectory's
     /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
-    /// The last compared time up to which all differences were allowed.
+    /// The last of the compared times until which all differences are allowed.
     #[serde(skip)]
     pub agreed_until: f64,
 }
@@ -81,7 +81,7 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // Only rounding remains if steps resolve the largest rate, or only last digits differ.
+            // If short steps or a tiny difference bring no gain, only rounding errors are left.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {

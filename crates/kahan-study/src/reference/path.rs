@@ -16,7 +16,7 @@ pub struct TrajectoryLimits<'a> {
     /// The fraction of [`Trajectory::end`](super::Trajectory::end) by which the trajectory
     /// continues beyond its end, for orbits that overshoot.
     pub margin: f64,
-    /// The number of leading variables that count for errors and scale; `None` for all.
+    /// The number of leading variables that determine errors and scale; `None` for all.
     pub variables: Option<usize>,
     /// A function that returns whether the time is over; `None` for no limit.
     pub is_over: Option<&'a dyn Fn() -> bool>,

@@ -4,12 +4,12 @@ use kahan_core::Dd;
 
 use super::runner::Runner;
 
-/// The claimed integrals, as conserved quantities of a map and of a flow.
+/// The claimed integrals of a map, and the integrals of the flow that follow from them.
 ///
-/// The flow's integral is the claim at ε = 0, or else the coefficient of ε².
+/// The integral of the flow is the claim at ε = 0, or, if this is constant, the coefficient of ε².
 #[derive(Debug)]
 pub(super) struct Integrals {
-    /// For each claim, 0 if the coefficient of ε⁰ depends on the state, 1 if only that of ε² does.
+    /// For each claim, the first k in {0, 1} whose coefficient of ε²ᵏ depends on the state.
     coefficients: Vec<Option<usize>>,
 }
 
@@ -24,7 +24,7 @@ pub(super) struct Drift<'a> {
 }
 
 impl Integrals {
-    /// Finds which coefficients of ε vary between a few points near the start.
+    /// Finds which coefficients depend on the state, from their values at points near the start.
     pub(super) fn of(subject: &Runner<'_>, start: &[Dd]) -> Self {
         let size = start.iter().fold(Dd::from(0.0), |size, x| if x.abs() > size { x.abs() } else { size });
         // For a start at the origin, points are taken at distances near 1.

@@ -24,7 +24,7 @@ pub(super) struct SettingMeasurements<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,
     pub(super) scene: Scene,
-    /// The number of leading variables that count for errors.
+    /// The number of leading variables in which errors are measured.
     pub(super) originals: usize,
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,

@@ -1,4 +1,4 @@
-//! Error against cost in one scene: scalar, order, compensation and ε.
+//! Compares settings of the integrator (scalar, order, compensation, ε) by error and cost.
 //!
 //! The library's own orbits are run and timed; errors are distances from a certified [`Reference`].
 
@@ -255,7 +255,7 @@ impl<'a> RefinementSearch<'a> {
         watch: &'a dyn Watch,
     ) -> Result<Self, CannotTrade> {
         let clock = runner.clock;
-        // A time limit beyond the range of `Duration` counts as no limit.
+        // A time limit that `Duration` cannot represent is replaced by a very long one.
         let deadline = clock() + Duration::try_from_secs_f64(seconds).unwrap_or(LONG).min(LONG);
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (exact_parameters, exact_start) = (exact(parameters), exact(&runner.start));
@@ -265,7 +265,8 @@ impl<'a> RefinementSearch<'a> {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
             Need::Trajectory => {
-                // Orbits with a rounded ε overshoot the horizon, so the trajectory is longer.
+                // The trajectory gets a `margin`, since orbits with a rounded ε overshoot the
+                // horizon.
                 let is_over = || clock() > deadline;
                 // Errors are measured in the variables of the original equations.
                 let variables = Some(study.coordinates().len());
@@ -280,8 +281,8 @@ impl<'a> RefinementSearch<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // At the coarsest ε, the product of ε and rate is 4 in the mean over a trajectory, or 1 at
-        // the start if integrals are the need.
+        // `coarsest` is the smallest number of steps to be tried. With a trajectory, ε·rate is then
+        // 4 in the mean; otherwise it is 1 at the start.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {
@@ -350,12 +351,12 @@ impl<'a> RefinementSearch<'a> {
 }
 
 impl SettingMeasurements<'_> {
-    /// Reports the number of settings to the watch. A cancellation sets the deadline to 0.
+    /// Reports the number of measured settings to the watch. A cancellation sets the deadline to 0.
     fn tell(&mut self) {
         if self.deadline.is_zero() {
             return;
         }
-        // The total number of settings depends on the results, so it is unknown.
+        // The total is unknown, because the results decide which settings are measured.
         let progress = Progress { what: "settings", done: self.settings.len() as u64, of: None };
         if let ControlFlow::Break(()) = self.watch.look(&progress) {
             self.deadline = Duration::ZERO;

@@ -1,4 +1,4 @@
-//! The JSON of some parts of a trade's answer.
+//! Converts some parts of the answer to a [`Trade`](super::Trade) to JSON.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};
@@ -14,7 +14,7 @@ pub(super) enum NeedByName {
     Integrals,
 }
 
-/// Returns the name of a need in questions and answers.
+/// Returns the name of a need as users write it in a question: `trajectory` or `integrals`.
 #[must_use]
 pub fn need_name(need: Need) -> &'static str {
     match need {

@@ -11,13 +11,13 @@ use super::runner::Runner;
 #[derive(Clone, Debug)]
 pub(super) struct Prices(Vec<(Scheme, f64)>);
 
-/// The number of rounds; each round times every scheme once, and the least time counts.
+/// The number of rounds. Each round times every scheme once, and the shortest time is used.
 const ROUNDS: usize = 15;
 const STAGES: u64 = 2040;
 
 impl Prices {
-    /// Times every scheme in rounds, at this ε, or at a smaller ε if a round would pass the
-    /// horizon, where subnormal states may be slow.
+    /// Times every scheme in rounds. ε is at most the given one, and so small that a round ends
+    /// before the horizon, beyond which states may be subnormal and slow.
     pub(super) fn of(subject: &Runner<'_>, eps: f64, horizon: f64) -> Self {
         let mut prices = Prices(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
         for _ in 0..ROUNDS {
@@ -44,7 +44,7 @@ impl Prices {
         prices
     }
 
-    /// Converts prices of the `measured` steps to prices for a system whose steps cost `asked`.
+    /// Converts prices of a step that costs `measured` to prices of a step that costs `asked`.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
             // The number of operations determines the time, since hundreds of them are independent.

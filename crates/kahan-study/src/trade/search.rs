@@ -6,11 +6,10 @@ use kahan_dynamics::{Precision, Scheme};
 
 use super::measure::SettingMeasurements;
 
-/// The rules of the search for measured settings.
 pub(super) const MEASURED: SearchParameters =
     SearchParameters { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
 const SHARE: f64 = 0.3;
-/// An error of `f64` too large to be caused by rounding.
+/// Errors of `f64` above this size are not caused by rounding.
 const UNEVEN: f64 = 1e-11;
 
 /// A search over step sizes, with the schemes whose errors have stopped falling.
@@ -55,7 +54,7 @@ impl RefinementSearch<'_> {
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {
-                // Rounding bounds the error from below, so one order decides about a precision.
+                // If rounding errors exceed the tolerance, only the highest order is tried.
                 let is_hopeless = self.tolerance < precision.unit() / 8.0;
                 let is_known = precision == Precision::Double && composition == highest;
                 if !(is_known || is_hopeless && composition != highest) {

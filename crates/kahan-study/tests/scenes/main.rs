@@ -31,7 +31,7 @@ struct Judged {
     outcome: Outcome,
 }
 
-/// The largest number of steps of a setting; three runs must cost at most as much as a choice.
+/// The largest number of steps of a setting, a third of the steps that `Scene::choose` may make.
 const BUDGET: f64 = 1e6 / 3.0;
 
 fn judge<M, const N: usize>(map: &M, rng: &mut SplitMix64) -> Judged
@@ -78,7 +78,7 @@ where
     worst
 }
 
-/// Returns a setting whose three runs cost at most as much as a choice may.
+/// Returns a setting within the budget whose error is at most the tolerance, if there is one.
 fn within_budget<M, const N: usize>(
     scene: &Scene,
     map: &M,
@@ -186,7 +186,7 @@ fn of_two_thousand_scenes_at_most_two_miss_their_tolerance() {
     check(setting("KAHAN_SEED", 1), setting("KAHAN_SCENES", 2000));
 }
 
-/// Tests the first of the two thousand scenes; their truths are quick to compute.
+/// Tests the first twelve scenes, for which the reference is quick to compute.
 #[test]
 fn of_a_dozen_scenes_none_misses_its_tolerance() {
     check(1, 12);

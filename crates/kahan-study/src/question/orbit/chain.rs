@@ -32,7 +32,7 @@ pub struct Chain {
     pub sites: usize,
     /// ε, half the time step.
     pub eps: f64,
-    /// The parameters shared by all sites.
+    /// The parameters that all sites have in common.
     pub parameters: Names<f64>,
     /// The current state, site by site, with the arrays interleaved.
     pub state: Vec<f64>,
@@ -47,7 +47,7 @@ pub struct ChainHead {
     pub arrays: Vec<String>,
     /// The number of sites.
     pub sites: usize,
-    /// The parameters shared by all sites.
+    /// The parameters that all sites have in common.
     #[serde(serialize_with = "by_name")]
     pub parameters: Names<f64>,
     /// ε, half the time step.

@@ -162,7 +162,7 @@ pub(super) fn flow<A: PointArithmetic>(
 }
 
 impl Solution {
-    /// Advances by `steps` steps, and shows each point.
+    /// Advances by `steps` steps, and calls `see` at each point.
     fn walk<A: PointArithmetic>(
         &mut self,
         steps: u64,

@@ -1,4 +1,4 @@
-//! Rows of a point that moves by steps of any kind, in blocks.
+//! Computes the rows of an orbit in blocks, for steps of any kind.
 
 use std::ops::{ControlFlow, Range};
 
@@ -26,7 +26,7 @@ pub(super) enum EarlyEnd {
 
 #[derive(Clone, Copy)]
 pub(super) enum EndReason {
-    /// det A = 0, which proves only for a reduced map that the map is undefined.
+    /// det A = 0. A reduced map is then undefined at the point, another map possibly defined.
     Pole { is_reduced: bool },
     /// det A = 0 at a stage of a composition.
     StagePole,
@@ -75,7 +75,7 @@ pub(super) trait OrbitPoints<A: PointArithmetic> {
         Vec::new()
     }
 
-    /// Returns whether float steps run as machine code; `None` where this has no meaning.
+    /// Returns whether float steps of Kahan's map run as machine code; `None` for other steps.
     fn is_code(&self) -> Option<bool> {
         None
     }
@@ -180,7 +180,7 @@ struct CellBlock<A: PointArithmetic> {
 }
 
 impl<A: PointArithmetic> CellBlock<A> {
-    /// Replaces the rows by these cells; the first row has the number `first`.
+    /// Replaces the rows of the block by rows of these cells, numbered from `first` on.
     fn fill(&mut self, course: &OrbitRows<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
         let OrbitRows { arithmetic, eps, paces, .. } = course;
         let time_step = arithmetic.add(eps, eps);

@@ -15,8 +15,8 @@ pub(in crate::question) trait AtCell: Sync {
     /// Returns the columns of the results for a field with these variables.
     fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)>;
 
-    /// Asks the question at another ε and point. Returns an entry for each column even if the
-    /// question has no answer.
+    /// Asks the question, with this ε and this point in place of its own. Returns an entry for each
+    /// column even if the question has no answer.
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<CellEntry>;
 }
 

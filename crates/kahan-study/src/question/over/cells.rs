@@ -46,7 +46,7 @@ pub(in crate::question) struct Cells<'a> {
     pub(in crate::question) count: u64,
 }
 
-/// The largest number of cells; the number of a cell must fit into a column.
+/// The largest number of cells. The number of each cell must fit into an `i64`.
 const MOST: u64 = 1 << 62;
 
 impl<'a> Cells<'a> {
@@ -109,7 +109,7 @@ impl<'a> Cells<'a> {
         last.map_or(!self.starts.is_empty(), is_start)
     }
 
-    /// Returns the columns that describe a cell: numbers of cell and first point, and varying axes.
+    /// Returns the columns that describe a cell: its number, its first point, the varying axes.
     pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)> {
         let index = column("index", "place of the point in the plan, from 0 on", StoredColumn::Integer);
         let starts = if self.starts.is_empty() { &[] } else { variables };
@@ -160,7 +160,7 @@ impl<'a> Cells<'a> {
         index / (self.count / self.starts.len().max(1) as u64)
     }
 
-    /// Returns the number of values of the last axis that multiplies the number of cells.
+    /// Returns the number of values on the last axis that is combined with all starts.
     pub(in crate::question) fn last_count(&self) -> u64 {
         let multiplied = &self.axes[..self.axes.len() - self.with_starts];
         multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)
@@ -247,7 +247,7 @@ fn resolve_axis<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Resol
     };
     let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
         Some(_) => values.double(index),
-        // NaN stands for drawn values here, because NaN equals no other value.
+        // Drawn values are represented by NaN, which is not an order, so they are refused below.
         None => f64::NAN,
     });
     match own.find(|value| !known.contains(value)) {

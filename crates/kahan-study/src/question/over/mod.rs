@@ -42,7 +42,7 @@ pub(super) use cells::{CellEntry, Cells};
 pub struct Over {
     /// The question. The values of the axes replace those of the question.
     pub question: Box<Question>,
-    /// The axes. All combinations of their values occur, except that drawn axes share an index.
+    /// The axes. All combinations of their values occur, but drawn axes vary together.
     pub over: Vec<AxisOver>,
     /// The first points; empty to use the question's point.
     pub starts: Vec<Vec<Rational>>,

@@ -1,4 +1,4 @@
-//! Observes the orbits of cells. Orbits share SIMD lanes even if their maps differ.
+//! Observes the orbits of cells. Orbits of different maps run side by side in SIMD lanes.
 
 use std::ops::ControlFlow;
 

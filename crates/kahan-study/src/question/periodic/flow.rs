@@ -65,7 +65,7 @@ impl FlowFound {
     }
 }
 
-/// Describes a cycle in JSON; without finer cycles, the period has no error estimate.
+/// Describes a cycle in JSON. Without `found`, the period is the map's, and has no error.
 pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64) -> Value {
     let of_map = period(cycle, eps);
     json!({
@@ -147,7 +147,7 @@ impl Parametric for FlowAt<'_> {
         rates.truncate(x.len());
         let place = self.family.parameter.filter(|place| self.at.place() == *place);
         let Some((place, _)) = place.zip(self.family.study.relations()) else { return rates };
-        // New variables of a lift may also depend on the parameter.
+        // New variables of a lift may depend on the parameter, which changes the derivative by it.
         let width = 1e-6 * self.values[place].abs().max(1e-3);
         let [below, above] = [-width, width].map(|shift| {
             let mut values = self.values.clone();
@@ -163,7 +163,7 @@ impl Parametric for FlowAt<'_> {
 
 impl Family {
     /// Returns the map at a value of the varied parameter and an ε, with the derivative by
-    /// parameter `by` or by ε. After a cancellation all values are NaN, which ends every search.
+    /// parameter `by` or by ε. After a cancellation ε is NaN, which ends every search.
     fn flow_at(
         &self,
         value: f64,
@@ -235,7 +235,7 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                // With an even number of steps, a period doubling has two rounds of equal length.
+                // If a cycle goes round twice, both rounds get equally many steps.
                 let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
@@ -306,7 +306,7 @@ impl Family {
     }
 }
 
-/// A branch with the extrapolated numbers of each point, if known.
+/// A branch with the extrapolated period and parameter at each point, if known.
 type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {

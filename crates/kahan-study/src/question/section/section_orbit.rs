@@ -9,7 +9,7 @@ use kahan_runtime::{End, Follow};
 use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
-/// An orbit that is followed while its buffer of crossings has room. A stopped orbit can continue.
+/// An orbit that is followed until its buffer of crossings is full, and later from there on.
 #[derive(Clone, Debug)]
 pub(super) struct SectionOrbit {
     pub(super) x: Vec<f64>,
@@ -63,7 +63,7 @@ impl CrossingReceiver<Crossing<Vec<f64>, f64>> for BufferedCrossings<'_> {
     fn report(self) {}
 }
 
-/// An observer of an orbit that continues; counts steps from the first point of the orbit.
+/// An observer of a part of an orbit. It counts steps from the first point of the whole orbit.
 struct ContinuedObserver<'a, O> {
     section: &'a mut O,
     before: u64,
@@ -157,7 +157,7 @@ impl SectionOrbit {
         self.end = (end != End::Complete).then(|| end.after(before));
     }
 
-    /// Passes the crossings to a consumer, each after `values`, and empties the buffer.
+    /// Passes a row with `values` and each crossing to a consumer, and empties the buffer.
     pub(super) fn pass_crossings(
         &mut self,
         columns: &[Column],

@@ -1,4 +1,4 @@
-//! Follows orbits in SIMD lanes, and shows sign changes of the formula to their sections.
+//! Follows orbits in SIMD lanes, and finds crossings where the formula changes its sign.
 //!
 //! Crossings have the same bits as those of an orbit that is followed singly.
 
@@ -20,7 +20,7 @@ const STEPS: u64 = 1024;
 /// Fewer orbits than this number are followed one by one.
 const FEWEST: usize = 4;
 
-/// The data of the question that all orbits share.
+/// The parts of the question that are the same for all orbits.
 pub(super) struct SectionRequest<'a> {
     pub(super) study: &'a Study,
     pub(super) direction: Direction,
@@ -101,7 +101,7 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for LaneObserver<'_, '_, F> {
 
     fn report(self) {}
 
-    /// Evaluates the formula for all orbits at once if all points of the burst are finite.
+    /// Evaluates the formula on all orbits at once if the points of all steps are finite.
     fn observe_burst<P: Grouped<f64>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let abreast = group.iter().flatten().find_map(|own| own.abreast);
         let last = burst.steps().last();

@@ -9,30 +9,30 @@ use serde::Serialize;
 
 use super::super::seconds_since;
 
-/// The plans of a system's code, with planning times.
+/// The operations of a system's generated code, and the times to derive and to plan them.
 #[derive(Clone, Debug, Serialize)]
 pub struct ShownPlans {
     /// The name of the system.
     pub system: String,
     /// The cost of each generated function.
     pub objects: Vec<FunctionCost>,
-    /// The step as a straight-line program; `None` if the step eliminates in a loop.
+    /// The step as a straight-line program; `None` if the step is Gaussian elimination in a loop.
     pub step: Option<Listing>,
-    /// The step for scalars of any kind, if the main form divides by the time step.
+    /// The step for every scalar; `None` unless `step` multiplies by 1/ε and so is only for floats.
     pub general_step: Option<Listing>,
     /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
     /// The milliseconds of planning the step; `None` without a clock.
     pub plan_ms: Option<f64>,
-    /// The plans.
+    /// The formulas and plans from which this answer was made.
     #[serde(skip)]
     pub derived: Derived,
 }
 
-/// The operations of a generated function; `None` if the function eliminates in a loop.
+/// The operation counts of a generated function; `None` if it is Gaussian elimination in a loop.
 #[derive(Clone, Debug, Serialize)]
 pub struct FunctionCost {
-    /// The result of the function.
+    /// A name for the result of the function.
     pub object: String,
     /// Additions, subtractions and negations.
     pub additions: Option<usize>,
@@ -51,9 +51,9 @@ pub struct FunctionCost {
 /// A step as a straight-line program.
 #[derive(Clone, Debug, Serialize)]
 pub struct Listing {
-    /// The instructions that depend only on ε and the parameters, run once.
+    /// The instructions that depend only on ε and the parameters, and are run once for many steps.
     pub constants: Vec<String>,
-    /// The instructions from a state to the numerators and reciprocals.
+    /// The instructions that compute the numerators and reciprocals from a state.
     pub kernel: Vec<String>,
     /// The name of the reciprocal of each component; `None` if the component has no division.
     pub reciprocals: Vec<Option<String>>,
