@@ -70,7 +70,7 @@ struct Line {
 }
 
 impl Line {
-    /// Returns whether limits apply.
+    /// Returns whether the system has two or three variables, so that limits apply.
     fn is_small(&self) -> bool {
         self.system != "Clebsch"
     }
