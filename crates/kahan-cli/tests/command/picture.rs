@@ -65,7 +65,6 @@ fn a_diagram_shows_crossings_over_a_parameter() {
             "{found}"
         );
     }
-    // By default, a hundred crossings are shown.
     let usual = [&orbit[..orbit.len() - 4], &["--over", "c=2:4:2", "--maxima", "x"]].concat();
     assert_eq!(described(&usual)["points"], 200);
 }
@@ -83,7 +82,7 @@ fn a_section_has_the_crossings_of_its_orbits() {
     let counted = [&orbit[..3], &["--at", "1,2,3", "--at", "1,1,2", "--crossings", "5"]].concat();
     assert_eq!(described(&[&counted[..], &["--plane", "x - y"]].concat())["points"], 10);
     assert_eq!(described(&[&counted[..], &["--maxima", "x"]].concat())["points"], 10);
-    // The last variable of the formula is not an axis.
+    // The last variable in the formula x - y is not an axis of the picture.
     assert!(section["shows"].as_str().expect("words").contains("x and z"), "{section}");
     for (arguments, word) in [
         (&["--kind", "section"][..], "what vanishes there"),
