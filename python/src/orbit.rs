@@ -14,7 +14,7 @@ use crate::background::{Listener, run_watched, run_watched_if_long};
 use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
 
-/// The largest number of values that are stepped without a check for signals.
+/// The largest number of values that are computed without a check for signals.
 const MOMENT: usize = 1 << 14;
 
 #[pymethods]
