@@ -160,7 +160,7 @@ impl Field {
         self.stepped_whole(x, eps, out, checked)
     }
 
-    /// Steps points of a lifted field. Points are given and returned in the original variables.
+    /// Makes a step from each point of a lifted field, given and returned in original variables.
     fn stepped_between<'py>(
         &self,
         x: &Bound<'py, PyAny>,

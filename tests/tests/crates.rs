@@ -138,7 +138,7 @@ fn not_optimised(manifest: &str) -> Vec<String> {
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
 }
 
-/// Without an explicit level, cargo compiles dependencies of the macro again for the command.
+/// Without an explicit `opt-level`, cargo compiles dependencies of the macro again for the command.
 #[test]
 fn what_the_macro_and_the_command_share_is_compiled_once() {
     let named = levels("Cargo.toml");

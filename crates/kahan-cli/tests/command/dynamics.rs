@@ -285,7 +285,7 @@ fn charts_show_what_each_orbit_does() {
         assert!(
             x.is_some_and(|x| [1.0 / 3.0, 1.0, 5.0 / 3.0].iter().any(|middle| (x - middle).abs() < 1e-15))
         );
-        // For ẋ = y, ẏ = w²x, the exponents of the map are log |(1 + εw)/(1 − εw)|/(2ε).
+        // For ẋ = y, ẏ = rx, w = √r, the exponents of the map are log |(1 + εw)/(1 − εw)|/(2ε).
         let rate = if r < 0.0 { 0.0 } else { (0.1 * r.sqrt()).atanh() / 0.1 };
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }

@@ -121,7 +121,7 @@ fn the_points_of_a_portrait_are_those_of_the_orbit() {
     let arguments = ["lv", "--eps", "1/10", "--at", "1/2,5/3", "--steps", "3"];
     let window = ["--window", "x=0:4", "--window", "y=0:4", "--size", "480x466"];
     let svg = drawn(&[&arguments[..], &window].concat());
-    // The axes are 425.32 and 412 units long, and begin at (40.68, 424).
+    // In the drawing, the axes are 425.32 and 412 long, and begin at (40.68, 424).
     let table = answer(&[&["orbit"], &arguments[..]].concat());
     let place = |row: &str| {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().expect("a number")).collect();

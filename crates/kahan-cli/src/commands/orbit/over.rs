@@ -13,7 +13,7 @@ struct Combinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The cached fields of the first combinations of values.
+    /// The systems at the first combinations of values, which are cached.
     few: Vec<Study>,
 }
 
