@@ -43,7 +43,8 @@ struct Probe {
     source: String,
 }
 
-/// Measures every block with the `kahan-core` of a checkout, in rounds that include an empty crate.
+/// Measures every block with the `kahan-core` of a checkout. An empty crate is built in each round,
+/// too, for comparison.
 pub(crate) fn measure(checkout: &Path, quick: bool) -> Result<Vec<Cost>> {
     let core = fs::canonicalize(checkout.join("kahan-core"))
         .with_context(|| format!("{} has no folder kahan-core; is it a checkout?", checkout.display()))?;

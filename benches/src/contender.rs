@@ -1,5 +1,5 @@
-//! Methods that advance a state for a number of steps. Chains restart every [`SEGMENT`] steps, so
-//! that orbits stay in an ordinary range.
+//! Methods that advance a state for a number of steps. After every [`SEGMENT`] steps, an orbit
+//! starts again at the initial state.
 
 use std::hint::black_box;
 
@@ -10,10 +10,10 @@ const SEGMENT: usize = 2048;
 pub(crate) enum Role {
     /// The reference of all ratios, which is the generated, prepared step.
     Baseline,
-    /// Generated code that is called in another way.
+    /// Generated code that is called in another way than the baseline.
     Generated,
     ByHand,
-    /// Another method that a user could choose.
+    /// A method that a user could choose instead of generated code.
     Rival,
 }
 

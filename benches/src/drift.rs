@@ -1,4 +1,5 @@
-//! Measures how rounding changes an integral of E6 over very long orbits, plain and compensated.
+//! Measures how rounding changes an integral of E6 over very long orbits, with and without
+//! compensation of rounding errors.
 
 use kahan_core::prelude::*;
 
@@ -30,7 +31,6 @@ pub(crate) fn lines(decades: u32) -> Vec<Line> {
     let mut lines = Vec::new();
     for decade in 5..=decades {
         let steps = 10_usize.pow(decade);
-        // The first item of an orbit is its initial state.
         let more = if done == 0 { steps } else { steps - done - 1 };
         let at = |orbit: &mut dyn Iterator<Item = SVector<f64, 3>>| {
             change(orbit.nth(more).expect("an orbit over floats goes on"))

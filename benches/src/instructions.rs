@@ -1,5 +1,5 @@
-//! Counts instructions per step with valgrind's callgrind. The counts of two runs are subtracted,
-//! so only the loop counts.
+//! Counts instructions per step with valgrind's callgrind. The counts of a short and a long run are
+//! subtracted, so that only the additional steps remain.
 
 use std::env;
 use std::process::{Command, Stdio};

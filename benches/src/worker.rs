@@ -85,7 +85,7 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        // The process may have ended already.
+        // An error is ignored, because the process may have ended already.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

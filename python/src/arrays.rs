@@ -115,7 +115,7 @@ pub(crate) fn places(
     Ok((found.states, found.others))
 }
 
-/// Calls [`places`] for `kahan._formula`, whose names do not belong to a field.
+/// Calls [`places`] for `kahan._formula`, whose names are not the variables of a field.
 #[pyfunction]
 pub(crate) fn columns(
     names: Vec<String>,

@@ -18,7 +18,7 @@ use crate::field::{Field, question};
 #[pyclass(frozen, module = "kahan._kahan")]
 pub(crate) struct Relation(kahan_discover::Basis);
 
-/// Exponents, terms, the index of the coefficient 1, the indices of the integrals, and the proof.
+/// The arguments of the constructor `new`, in their order.
 type Parts = (Vec<Vec<u32>>, Vec<Vec<(usize, i64)>>, usize, Vec<usize>, Option<u32>);
 
 #[pymethods]
@@ -115,7 +115,7 @@ fn refused(error: &BasisError) -> PyErr {
 
 #[pymethods]
 impl Field {
-    /// Answers a question of discovery in JSON, and returns the bases that were found.
+    /// Answers a question in JSON, as `ask` does, and also returns the bases that were found.
     #[pyo3(name = "_discovered", signature = (asked, *, listener = None))]
     fn discovered(
         &self,

@@ -385,7 +385,7 @@ pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator
     (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
 }
 
-/// Combines the ends before and after step `steps`, from which `more` counts.
+/// Combines the ends before step `steps` with the later ends `more`, which count from that step.
 fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
     if before.is_empty() {
         return more;

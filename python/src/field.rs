@@ -30,7 +30,7 @@ pub(crate) struct MapCache {
     double: Option<MapAt<f64>>,
     single: Option<MapAt<f32>>,
     with_integrals: Option<MapAt<f64>>,
-    /// The map at the parameter values of the last call that gave values, with these values.
+    /// The parameter values of the last call that gave values, and the map at these values.
     valued: Option<(Vec<Option<f64>>, MapAt<f64>)>,
 }
 
@@ -88,7 +88,7 @@ impl Field {
         if let Some(at) = last.with_integrals.as_ref().filter(|at| at.eps() == eps) {
             return Ok(at.clone());
         }
-        // A float stands for its shortest decimal, and NaN or infinity for 0.
+        // The float is replaced by its shortest decimal, and NaN or infinity by 0.
         let exact = number(&eps.to_string()).unwrap_or_else(|_| Rational::zero());
         let at = self.study.at_step(&exact).and_then(|study| Ok(study.map()?.at(eps)));
         let at = at.map_err(|error| of_study(py, &error))?;
@@ -274,7 +274,7 @@ impl Field {
         self.study.text()
     }
 
-    /// Returns components, first states, second states (−1 for none) and values of coefficients.
+    /// For each coefficient, returns the component, two states (−1 for none) and the value.
     #[pyo3(name = "_coefficients")]
     fn coefficients(&self, py: Python<'_>) -> PyResult<([Vec<i64>; 3], Vec<f64>)> {
         let coefficients = self.study.coefficients().map_err(|error| of_study(py, &error))?;

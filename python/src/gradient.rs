@@ -1,4 +1,4 @@
-//! Gradients of a scalar of an orbit.
+//! Gradients of a scalar function of the points of an orbit.
 
 use kahan_runtime::End;
 use numpy::PyUntypedArrayMethods;

@@ -14,7 +14,7 @@ use crate::background::{Listener, run_watched, run_watched_if_long};
 use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
 
-/// The largest number of values that are stepped without a check for signals.
+/// The largest number of values that are computed without a check for signals.
 const MOMENT: usize = 1 << 14;
 
 #[pymethods]
@@ -160,7 +160,7 @@ impl Field {
         self.stepped_whole(x, eps, out, checked)
     }
 
-    /// Steps points of a lifted field. Points are given and returned in the original variables.
+    /// Makes a step from each point of a lifted field, given and returned in original variables.
     fn stepped_between<'py>(
         &self,
         x: &Bound<'py, PyAny>,

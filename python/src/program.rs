@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::{Floats, floats};
 
-/// Formulas in one list of names, computed together. `kahan.Formula` is derived from this class.
+/// Formulas that use one list of names and are computed together.
 #[pyclass(frozen, module = "kahan._kahan")]
 pub(crate) struct Program(Formulas);
 

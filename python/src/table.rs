@@ -1,4 +1,4 @@
-//! Tables of questions as arrays, one for each column.
+//! Tables of answers as arrays, one array for each column.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{ColourColumn, Exact, Question, StoredColumn, Table};

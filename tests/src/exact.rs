@@ -114,7 +114,7 @@ pub struct Rationals {
 }
 
 impl Rationals {
-    /// Makes the sequence of numbers that belongs to a seed.
+    /// Starts the sequence of numbers that a seed determines.
     #[must_use]
     pub fn seeded(seed: u64) -> Self {
         Self { random: SplitMix64::new(seed) }

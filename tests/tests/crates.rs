@@ -1,4 +1,5 @@
-//! Compares the dependencies and builds of the crates with ARCHITECTURE.md, and with budgets.
+//! Compares the dependencies and builds of the crates with ARCHITECTURE.md, and checks that they
+//! stay within limits.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,7 +28,7 @@ const FIRST_UNITS: usize = 60;
 /// The packages that all programs and the Python wheel must compile identically.
 const SHARED: [&str; 4] = ["kahan-core", "kahan-runtime", "kahan-systems", "kahan-paper"];
 
-/// The prefixes of crates whose speed is measured.
+/// The prefixes of the names of crates whose speed is measured.
 const TIMED: [&str; 6] =
     ["kahan-core", "kahan-dynamics", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
 
@@ -137,7 +138,7 @@ fn not_optimised(manifest: &str) -> Vec<String> {
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
 }
 
-/// Without an explicit level, cargo compiles dependencies of the macro again for the command.
+/// Without an explicit `opt-level`, cargo compiles dependencies of the macro again for the command.
 #[test]
 fn what_the_macro_and_the_command_share_is_compiled_once() {
     let named = levels("Cargo.toml");

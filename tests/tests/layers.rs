@@ -13,7 +13,7 @@ struct Layered {
     name: &'static str,
     /// The module, with names of its root file that all layers may use. `None` for a crate.
     module: Option<(&'static str, &'static [&'static str])>,
-    /// The names of the layers from bottom to top. No layer may use the other files.
+    /// The names of the layers from bottom to top. No layer may use files that are not listed.
     layers: &'static [&'static str],
 }
 

@@ -81,7 +81,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     );
     assert_eq!(map.reduced_map(&x, eps.clone()), read.reduced_map(&x, eps.clone()), "{name} at {x:?}");
     if let Ok(next) = map.try_step(&x, eps.clone()) {
-        // If A is singular, the equation of tangent vectors has no unique solution.
+        // A tangent vector must be the Jacobian of the map times v, even where A is singular.
         let v = SVector::from_fn(|i, _| BigRational::new((2 * i as i64 - 3).into(), 5.into()));
         let carried = map.at(eps.clone()).tangent().push_forward_to(&x, &next, &v);
         assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");

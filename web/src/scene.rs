@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 /// The largest number of orbits with which a picture begins.
 const ORBITS: usize = 5;
-/// The smallest share of the picture's area that the box around an orbit must have.
+/// The smallest fraction of the picture's area that the box around an orbit must fill.
 const SHARE: f64 = 0.25;
 /// The multiples of a first point that are tried as further first points.
 const MULTIPLES: [(i64, i64); 11] =
@@ -53,8 +53,8 @@ fn joined(point: &[Rational]) -> String {
     point.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
 }
 
-/// Chooses the missing parameter values, and returns the study and an orbit there. Prefers the
-/// first values with a bounded orbit.
+/// Chooses the missing parameter values, and returns the study and an orbit at these values.
+/// Prefers the first values with a bounded orbit.
 fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit), StudyError> {
     let valued = study.valued();
     let missing = study.parameters().iter().zip(valued).filter(|(_, value)| value.is_none());
@@ -134,8 +134,8 @@ fn plane(orbits: &[ShownOrbit], variables: usize) -> (Vec<usize>, Vec<Vec<Ration
     best
 }
 
-/// Returns the first points of at most [`ORBITS`] orbits. The box of each orbit has at least a
-/// [`SHARE`] of the box around all of these orbits.
+/// Returns the first points of at most [`ORBITS`] orbits. The box of each orbit fills at least the
+/// fraction [`SHARE`] of the box around all of these orbits.
 fn wide(orbits: &[ShownOrbit], axes: &[usize]) -> Vec<Vec<Rational>> {
     let boxes: Vec<Vec<[f64; 2]>> =
         orbits.iter().map(|orbit| axes.iter().map(|&k| orbit.extremes[k]).collect()).collect();

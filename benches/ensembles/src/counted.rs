@@ -1,4 +1,4 @@
-//! Counts the operations of a step by running it over a scalar that counts.
+//! Counts the operations of a step, by taking the step with numbers that count every operation.
 
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -11,7 +11,7 @@ thread_local! {
     static OPERATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-/// The number of operations that replace a division: two Newton iterations and a product.
+/// A division is estimated as this many operations: two Newton iterations and a product.
 const ESTIMATED_DIVISION: usize = 5;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ fn counted(operations: usize, value: f64) -> Counted {
     Counted(value)
 }
 
-/// Counts the operations of one step. The count is 0 for steps without a vector form.
+/// Counts the operations of one step. Returns 0 if the step cannot take several points at once.
 pub(crate) fn operations<const N: usize>(step: &impl PreparedStep<f64, N>) -> usize {
     fn of<S: PreparedStep<f64, N>, const N: usize>(step: &S) -> usize {
         if !S::HAS_LANES {
@@ -79,7 +79,7 @@ impl One for Counted {
     }
 }
 
-/// A negation is free, since the next operation absorbs it.
+/// Negations are not counted, since the next operation absorbs them.
 impl Neg for Counted {
     type Output = Self;
 

@@ -23,10 +23,10 @@ pub use lotka_volterra::LotkaVolterra;
 /// Half the time step, ε, of all timings.
 pub const EPS: f64 = 1.0 / 1000.0;
 
-/// A system as text, from which its block is compiled or read.
+/// The text of a system, from which its block is compiled or read.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
-    /// The name of the type.
+    /// The name of the type that the block declares.
     pub name: &'static str,
     /// A Rust expression whose value has the type.
     pub value: &'static str,
@@ -68,7 +68,7 @@ pub const SOURCES: [Source; 8] = [
     },
 ];
 
-/// Returns the inside of a file's `kahan!` block; `None` if there is no block.
+/// Returns the text between the braces of a file's `kahan!` block; `None` if there is no block.
 pub fn block_of(file: &str) -> Option<&str> {
     let (_, block) = file.split_once("kahan! {")?;
     Some(block.split_once("\n}")?.0)

@@ -1,13 +1,13 @@
 //! A process that times tasks on request, so that several builds of it can be timed alternately.
 //!
-//! The process writes its tasks, one on each line, then an empty line. The answer to a request
-//! `TASK UNITS` is the time of this number of units, in seconds.
+//! The process writes its tasks, one on each line, then an empty line. To a request `TASK UNITS` it
+//! answers the seconds that this many units of work take.
 
 use std::io::{self, BufRead, Write};
 
 /// A task that is timed.
 pub struct Task {
-    /// The name of the system, or of another subject.
+    /// The name of the system, or another word for a task without a system.
     pub system: &'static str,
     /// The name of the task.
     pub what: &'static str,

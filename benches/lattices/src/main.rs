@@ -1,5 +1,6 @@
-//! Times steps of long chains in nanoseconds per site, beside a memory triad per element.
-//! `cargo run --release -p kahan-bench-lattices` in this folder prints a table.
+//! Times steps of long chains, in nanoseconds per site, and the loop a = b + s·c over arrays, in
+//! nanoseconds per element. `cargo run --release -p kahan-bench-lattices` in this folder prints a
+//! table.
 
 mod families;
 mod midpoint;

@@ -1,4 +1,4 @@
-//! Compares Kahan's map of KdV and the implicit midpoint rule, both with one banded solver.
+//! Compares Kahan's map of KdV and the implicit midpoint rule, both with the same banded solver.
 //! Newton's method for the midpoint rule solves linear systems with the matrix of Kahan's map. Only
 //! steps of the solver are timed.
 
@@ -9,7 +9,8 @@ use kahan_core::{LatticeMap, Scalar};
 
 use crate::families::Kdv;
 
-/// The KdV equation with another right-hand side in the linear system of a step.
+/// The KdV equation as the linear system of Newton's method: Kahan's matrix, with the right-hand
+/// side `right`.
 #[derive(Clone, Debug)]
 struct Newton {
     kdv: Kdv<f64>,
@@ -46,7 +47,7 @@ impl LatticeMap<f64> for Newton {
     }
 }
 
-/// Prints the error after a time of 1, and the processor time, for several steps.
+/// Prints the error after a time of 1, and the processor time, for several step sizes.
 pub(crate) fn table() {
     let (sites, h, time) = (512, 0.2, 1.0);
     let start: Vec<f64> = (0..sites)
@@ -111,7 +112,6 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             let evaluated = begun.elapsed();
             let mut at = Newton { kdv: Kdv { h }, right }.at(eps, sites).expect("a chain");
             let mut next = m.clone();
-            // Touch the new memory before the clock starts.
             at.step(&mut next);
             next.clone_from(&m);
             let begun = Instant::now();

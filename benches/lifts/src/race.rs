@@ -16,7 +16,6 @@ use crate::systems::distance;
 
 const TIME: f64 = 100.0;
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
-/// The number of repetitions of a run, of which the least time counts.
 const REPEATS: usize = 5;
 
 type Slope = fn(&[f64], &mut [f64]);
@@ -173,7 +172,8 @@ fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     (least, result)
 }
 
-/// Returns the least time within each tolerance. The runs have ever finer settings.
+/// Returns, for each of `TOLERANCES`, the least time of a run whose error is within it. Each run
+/// has a finer setting than the one before.
 fn cheapest(reference: &[f64], runs: impl Iterator<Item = (f64, Vec<f64>)>) -> [f64; 3] {
     let mut least = [f64::INFINITY; 3];
     for (seconds, end) in runs {

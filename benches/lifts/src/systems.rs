@@ -87,7 +87,7 @@ impl System {
         slope.iter_mut().zip(&self.field).for_each(|(slope, formula)| *slope = formula.value(x));
     }
 
-    /// Returns the states at the ends of `parts` equal parts of the time, by Dormand and Prince.
+    /// Returns the states at the ends of `parts` equal parts of the time, by Dormand–Prince.
     pub(crate) fn solution(&self, time: f64, parts: u32, tolerance: f64) -> Vec<Vec<f64>> {
         let mut x = DVector::from_column_slice(&self.start);
         let part = time / f64::from(parts);
@@ -200,7 +200,7 @@ pub(crate) fn size(x: &[f64]) -> f64 {
 
 /// Returns the largest difference of the components of `a` and `b`, relative to the size of `b`.
 pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
-    // The function `max` would ignore NaN.
+    // NaN must give infinity, because `max` below ignores NaN.
     let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };
     a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size(b)
 }

@@ -10,7 +10,7 @@ use kahan_runtime::MapAt;
 
 use crate::pair::{Pair, in_segments, timed};
 
-/// The number of trajectories, which equals that of the ensembles.
+/// The number of trajectories, as in the benchmark of ensembles.
 const POINTS: usize = 512;
 
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>

@@ -7,7 +7,7 @@ use kahan_bench_fields::{EPS, Source, block_of};
 use kahan_core::prelude::*;
 use kahan_runtime::{Field, Map};
 
-/// The number of steps after which a run restarts, so that orbits stay in an ordinary range.
+/// After this number of steps, a run starts again at the initial state.
 pub(crate) const SEGMENT: usize = 1024;
 
 /// Both forms of a map, with the initial state from which they are timed.

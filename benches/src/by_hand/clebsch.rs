@@ -2,10 +2,10 @@
 //!
 //! # Formulas
 //!
-//! Let W = diag(w₁, w₂, w₃), P = εp, and c = (w₃−w₂, w₁−w₃, w₂−w₁). Eliminating m̃ leaves a linear
-//! system for p̃ with the matrix diag(d) + \[a\]×. Here \[a\]× is the matrix of the cross product
-//! with a = εm + P × WP. The vector d has d₁ = 1 − c₃P₂² + c₂P₃², and d₂, d₃ follow cyclically. The
-//! sign ∘ is the product by components. The step is:
+//! Let w₁, w₂, w₃ be the parameters, W = diag(w₁, w₂, w₃), P = εp, and c = (w₃−w₂, w₁−w₃, w₂−w₁).
+//! Eliminating m̃ leaves a linear system for p̃ with the matrix diag(d) + \[a\]×. Here \[a\]× is
+//! the matrix of the cross product with a = εm + P × WP. The vector d has d₁ = 1 − c₃P₂² + c₂P₃²,
+//! and d₂, d₃ follow cyclically. The sign ∘ is the product by components. The step is:
 //!
 //! - p̃ = p + 2(e∘(p × a) + (Σdᵢaᵢpᵢ)a − Sp)/D with e = (d₂d₃, d₃d₁, d₁d₂), S = Σdᵢaᵢ²,
 //! - D = d₁d₂d₃ + S,

@@ -51,7 +51,7 @@ pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Divides the denominator by 2ε², without separate products with ε.
+/// Divides the denominator by 2ε², so that its term x² + y² needs no factor.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h) = (0.5 / eps, 1.0 / eps);
     move |[x, y, z]| {

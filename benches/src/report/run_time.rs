@@ -14,7 +14,8 @@ const MACRO: &str = "macro: ";
 const RUN_TIME: &str = "run time: ";
 /// The prefix in the name of a task that compiles, which has no counterpart.
 const COMPILING: &str = "compiling: ";
-/// Tasks without limits, because their two sides differ in calls, registers or rounding.
+/// Tasks whose times have no limit, because run-time code and the macro's code differ in calls,
+/// registers or rounding.
 const UNJUDGED: [&str; 2] = ["a step at a time", "ensemble"];
 /// The largest permitted time of run-time code, divided by that of the macro's code.
 const AT_MOST: f64 = 1.15;

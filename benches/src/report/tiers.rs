@@ -9,7 +9,7 @@ use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
-/// The tier that is the reference of all others.
+/// The way to take a step with which all others are compared.
 const FAST: &str = "fast";
 /// The fast tier with a separate call for each step, as in the stable tier.
 const STEP: &str = "fast, a step at a time";
@@ -70,7 +70,7 @@ struct Line {
 }
 
 impl Line {
-    /// Returns whether limits apply.
+    /// Returns whether the system has two or three variables, so that limits apply.
     fn is_small(&self) -> bool {
         self.system != "Clebsch"
     }

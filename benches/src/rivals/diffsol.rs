@@ -1,4 +1,4 @@
-//! The adaptive Tsitouras method of order 5(4) from the crate `diffsol`, without its compilers.
+//! The adaptive Tsitouras method of order 5(4) from the crate `diffsol`.
 
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use kahan_core::prelude::*;

@@ -29,7 +29,7 @@ where
     }
 }
 
-/// Returns the solution. Panics for a singular matrix, which these chains never meet.
+/// Returns the solution. Panics if the matrix is singular, which does not occur in the benchmarks.
 fn solved<X>(solution: Option<X>) -> X {
     solution.expect("the chains stay away from poles")
 }

@@ -7,8 +7,8 @@ pub(crate) const NAME: &str = "implicit midpoint, Newton";
 /// The largest permitted final update of Newton's method, relative to max(1, |x̃|).
 pub(crate) const TOLERANCE: f64 = 1e-14;
 
-/// Returns a step by 2ε with Newton's method, which starts at Euler's step. Panics for a singular
-/// Jacobian, which these chains never meet.
+/// Returns a step by 2ε with Newton's method, which starts at Euler's step. Panics if the matrix is
+/// singular, which does not occur in the benchmarks.
 pub(crate) fn step<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,

@@ -1,4 +1,4 @@
-//! Other methods that a user could choose.
+//! Methods that a user could choose instead of generated code.
 
 pub(crate) mod diffsol;
 pub(crate) mod dop853;

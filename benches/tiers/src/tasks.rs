@@ -8,7 +8,7 @@ use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
 use kahan_core::{ExtendScalars, ThroughF64};
 
-/// The number of steps after which a chain restarts, so that orbits stay in an ordinary range.
+/// After this number of steps, a chain starts again at the initial state.
 const SEGMENT: usize = 1024;
 
 pub(crate) fn all() -> Vec<Task> {

@@ -12,10 +12,10 @@ use super::scene::Setting;
 
 pub(crate) struct Told {
     pub(crate) choice: Setting,
-    /// The finest setting of each scheme, with the command's price in nanoseconds per unit of
-    /// simulated time.
+    /// For each scheme (scalar type, order, compensated or not): the setting with the smallest ε,
+    /// and its nanoseconds per unit of simulated time according to the command.
     pub(crate) prices: Vec<(Setting, f64)>,
-    /// The speed of the machine during the run.
+    /// The seconds of a fixed loop near the time of the run, which measure the machine's speed.
     pub(crate) pace: f64,
 }
 

@@ -8,7 +8,6 @@ use kahan_core::prelude::*;
 
 use super::scene::{Scene, Setting};
 
-/// The number of rounds, of which the least time counts.
 const ROUNDS: usize = 60;
 
 /// The largest permitted quotient of a price measured here and the command's price. Quotients from

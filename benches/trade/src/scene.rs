@@ -1,4 +1,4 @@
-//! One scene in compiled form, with the errors and prices of settings.
+//! A compiled field with a start, a time span and a reference; errors and prices of settings.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -32,7 +32,7 @@ pub(crate) struct Scene<M, const N: usize> {
     pub(crate) reference: Reference,
 }
 
-/// Evaluates an expression in which a closure makes the orbit of a setting.
+/// Evaluates `$body`, in which the closure `$begin` starts the orbit of a setting.
 macro_rules! with_orbit {
     ($map:expr, $start:expr, $eps:expr, $setting:expr, |$begin:ident| $body:expr) => {
         match (
@@ -89,7 +89,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.extend_scalars(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// Returns the largest distance from the reference, or a distance that exceeds `enough`.
+    /// Returns the largest distance from the reference, or the first one above `enough`.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
@@ -114,7 +114,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         const STEPS: usize = 400;
         /// The least number of steps of one timed orbit, since starting an orbit takes time.
         const PIECE: usize = 64;
-        // Far beyond the horizon arithmetic may be slow, for example by subnormal numbers.
+        // The timed orbit ends at the horizon, because later states may be slow subnormal numbers.
         let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
         let repeats = STEPS.div_ceil(steps);
         /// Times one kind of orbit. One function for all kinds would be badly optimised.
@@ -134,7 +134,8 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
 
-    /// Returns the coarsest sufficient ε of each scheme that costs less than `dearest`.
+    /// Returns, for each scheme (scalar type, order, compensated or not), the largest tried ε whose
+    /// error is within `tolerance`, unless it costs more than `dearest`.
     pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
         let mut found = Vec::new();
         for scheme in Scheme::all() {

@@ -50,7 +50,7 @@ impl<M, const N: usize> Claims for Accessors<M, N> {
     }
 }
 
-/// Default accessors of a map without claims, which a type's inherent methods hide.
+/// Accessors for a map without claims. Accessors that the macro writes hide these defaults.
 #[allow(non_snake_case)]
 trait Unclaimed<const N: usize> {
     fn integrals(&self, _x: &SVector<Q, N>, _eps: Q) -> [Q; 0] {

@@ -166,7 +166,7 @@ impl BackEnd for Interpreted {
         let Some((_, plan)) = plans.tangent_map() else {
             return Some(product(&self.jacobian(x, eps)?, v));
         };
-        // Variables are numbered in this order: states, parameters, ε, second states.
+        // Variables are numbered in this order: x, v, parameters, ε, next.
         let states = x.iter().chain(v).cloned().map(Rational::from);
         let constants = self.parameters.iter().cloned().chain([eps.clone().into()]);
         let values: Vec<Rational> =

@@ -1,5 +1,5 @@
-//! Tests the laws of Kahan's map over ℚ, in both back ends, at seeded points. The references use
-//! only values of the field.
+//! Tests the laws of Kahan's map over ℚ, in both back ends, at seeded points. Expected values are
+//! computed from values of the field only.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{

@@ -9,7 +9,7 @@ fn plan(text: &str) -> StepPlan {
     StepPlan::of(&read_unproved(text).field).expect("a field of three variables has a closed form")
 }
 
-/// Counts additions, multiplications and divisions. A multiply-add counts as two operations.
+/// Counts additions, multiplications and divisions. A multiply-add is counted as two operations.
 fn counts(plan: &Plan) -> [usize; 3] {
     let mut counts = [0; 3];
     for operation in &plan.operations {

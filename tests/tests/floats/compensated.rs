@@ -72,7 +72,7 @@ fn e6_integral(eps: f64) -> impl Fn(&SVector<f64, 3>) -> Dd {
 const E6_EPS: f64 = 1.0 / 1024.0;
 
 /// On a plain orbit, the rounding errors of the coordinates add up like a random walk. On a
-/// compensated orbit only the final rounding counts, so the change is at most 10·2⁻⁵³.
+/// compensated orbit only the final rounding remains, and the change is at most 10·2⁻⁵³.
 #[test]
 fn a_compensated_orbit_keeps_its_integral_to_the_rounding_of_its_last_point() {
     let milestones = [100_000];

@@ -90,7 +90,8 @@ struct Worst {
 }
 
 impl Worst {
-    /// Takes steps near a pole at a value of the number with index i. Removable poles are skipped.
+    /// Takes steps near the pole at which the number with index i is `pole`. Removable poles are
+    /// skipped.
     fn look(
         &mut self,
         subject: &Subject,
@@ -135,7 +136,6 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
                 break;
             }
             let numbers = subject.dimension() + 1;
-            // Coordinates have similar sizes, because others would avoid poles.
             let x = (1..numbers)
                 .map(|_| 2.0_f64.powi(2 - draws.below(4) as i32) * signed_unit(&mut draws))
                 .collect();
@@ -175,7 +175,7 @@ fn a_component_that_cancels_is_exact_against_the_others() {
             let Some(next) = place.exact_step(subject) else { continue };
             judged += 1;
             if next[i].is_zero() {
-                // Nothing is lost if the plane is invariant, or if the preimage has few bits.
+                // A component that is exactly 0 must be computed as 0.
                 assert_eq!(place.step(map.as_ref())[i], 0.0);
                 continue;
             }

@@ -49,7 +49,7 @@ fn at_zero_every_map_is_the_identity() {
     }
 }
 
-/// Just above the lower border the increment is far below the last digit, so the step returns x.
+/// For ε of size 2⁻⁶⁴ and below, the increment is far below the last digit, so the step returns x.
 #[test]
 fn a_tiny_half_step_moves_nothing() {
     let mut draws = SplitMix64::new(72);
@@ -72,7 +72,7 @@ fn a_tiny_half_step_moves_nothing() {
     }
 }
 
-/// At the border of `f32` increments reach the last digits. Both forms err by at most one ulp.
+/// Near ε = 2⁻¹⁶, where `f32` steps change their form, both forms err by at most one ulp.
 #[test]
 fn steps_on_either_side_of_the_border_agree() {
     let mut draws = SplitMix64::new(73);
@@ -91,7 +91,8 @@ fn steps_on_either_side_of_the_border_agree() {
     }
 }
 
-/// On both sides of the upper border and far beyond, `try_step` is within its bound, or fails.
+/// For ε near 2⁶⁴, where the code of a step changes its form, and far beyond, `try_step` is within
+/// its bound, or fails.
 #[test]
 fn huge_half_steps_keep_the_promise() {
     let mut draws = SplitMix64::new(74);

@@ -162,7 +162,6 @@ fn a_step_from_an_ordinary_point_is_within_sixteen_units() {
     assert!(largest > 1.0, "a bound that nothing comes near says little: {largest} u");
 }
 
-/// The number of points for each system in large samples.
 const MANY: usize = 20_000;
 
 #[test]

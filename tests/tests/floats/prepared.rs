@@ -11,7 +11,7 @@ use kahan_tests::subject::{Subject, paper, random};
 
 const STEPS: usize = 50;
 
-/// The limits of ε beyond which steps are not divided by the time step, for `f32` and `f64`.
+/// The values of ε at which the code of a step changes its form, for `f32` and `f64`.
 const BORDERS: [f32; 4] =
     [1.0 / 65_536.0, 65_536.0, 1.0 / 18_446_744_073_709_551_616.0, 18_446_744_073_709_551_616.0];
 
@@ -92,7 +92,8 @@ where
             let mut state: Vec<A::Value> = x.iter().map(|entry| A::Value::from(*entry)).collect();
             let [by_step, ..] = every_way(map.as_ref(), &state, eps, STEPS);
             for point in by_step {
-                // Near a pole numbers overflow, and different orders of operations may give NaN.
+                // Near a pole numbers overflow, and one order of operations may give NaN where
+                // another does not.
                 let here = Point { state, parameters: parameters.clone(), eps };
                 let Some(next) = interpreter
                     .next(arithmetic, &here)

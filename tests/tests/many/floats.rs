@@ -118,7 +118,7 @@ fn try_step_says_why_there_is_no_step() {
     let start = SVector::<f64, 11>::from_fn(|i, _| if i == 3 { f64::NAN } else { 1.0 });
     let why = Arrow { a: 0.5 }.try_step(&start, 0.1).expect_err("no number");
     assert!(why.to_string().contains("not a finite number"), "{why}");
-    // The variable x6 is a block of A, whose only entry is 1 − εx3.
+    // The variable x6 forms a block of A of its own, whose only entry is 1 − εx3.
     let mut start = SVector::<f64, 10>::repeat(1.0);
     (start[3], start[6]) = (2.0, 5.0);
     let why = Cascade.try_step(&start, 0.5).expect_err("a pole");

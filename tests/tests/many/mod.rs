@@ -1,4 +1,4 @@
-//! Tests maps of more than eight variables, whose steps use elimination along the couplings.
+//! Tests maps of more than eight variables, whose steps use sparse elimination.
 
 mod exactly;
 mod floats;

@@ -1,4 +1,4 @@
-//! Fields of more than eight variables, which have all kinds of couplings.
+//! Fields of more than eight variables. They differ in which variables occur in which equations.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,5 @@
-//! The list of weakenings, each with the tests that must fail.
+//! The list of weakenings, which are deliberate mistakes in code, each with the tests that must
+//! fail.
 
 /// A change that weakens a proof, or the code that a test checks.
 pub(crate) struct Weakening {
@@ -81,7 +82,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "Self::literal(value, u32::from(!is_exact))", "Self::literal(value, u32::from(!is_exact && false))"),
     rule("a weight without the rounding of the product", BOUNDED,
         "roundings: roundings.saturating_add(1), ..*self", "roundings, ..*self"),
-    // The next weakenings change magnitudes.
     rule("a difference that cancels its magnitude", "kahan-core/src/scalar/bounded/pair.rs",
         "Self { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }",
         "Self { value: self.value - other.value, magnitude: (self.value - other.value).size() }"),
@@ -105,7 +105,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "(gamma + ratio * (V::Magnitude::of(SLACK) * own))", "(gamma + ratio * (V::Magnitude::of(0.0) * own))"),
     rule("a known radius that is forgotten", OPERATIONS,
         "let magnitude = value.size() + radius / V::Magnitude::of(V::UNIT);", "let magnitude = value.size();"),
-    // The next weakenings concern underflow.
     rule("no allowance for underflow", BOUNDED,
         "self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)", "self.magnitude() * self.gamma()"),
     rule("no allowance in the weight of a chain", BOUNDED,
@@ -128,7 +127,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "Range::of(LOST_OF_SINGLES, -40,", "Range::of(LOST_OF_SINGLES - 40, -80,"),
     rule("an allowance for doubles that is none", FORMATS,
         "const LOST_OF_DOUBLES: i32 = -1074;", "const LOST_OF_DOUBLES: i32 = -1174;"),
-    // The next weakenings concern the premises of the bounds.
     rule("constants of more bits than there are", BOUNDED,
         "|| self.bits > bits_of_products;", "|| self.bits > bits_of_products + 900;"),
     rule("more underflows than the allowance is made for", BOUNDED,

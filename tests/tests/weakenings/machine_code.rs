@@ -1,4 +1,4 @@
-//! Weakenings of machine code, and of programs of steps.
+//! Weakenings, which are deliberate mistakes, of machine code and of programs of steps.
 
 use super::list::Weakening;
 

@@ -1,4 +1,5 @@
-//! Mutation tests of code with proofs in comments. Each weakening of a line must make a test fail.
+//! Mutation tests of code with proofs in comments. A weakening is a deliberate mistake, which must
+//! make a test fail.
 //!
 //! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all
 //! weakenings in about twenty minutes, on a copy of the workspace in the target folder. With
@@ -91,7 +92,8 @@ fn copy(from: &Path, to: &Path, is_copied: &dyn Fn(&Path) -> bool) {
     }
 }
 
-/// Makes one folder equal to another. Equal files keep their times, hence their builds.
+/// Makes one folder equal to another. Equal files keep their modification times, so that their
+/// builds stay valid.
 fn update(from: &Path, to: &Path) {
     fs::create_dir_all(to).expect("a folder can be made");
     for path in entries(to) {
@@ -171,7 +173,7 @@ fn chosen_by_the_change() -> Vec<&'static Weakening> {
         let before = format!("--before={}", time - 12 * 3600);
         git(&["rev-list", "-1", "--first-parent", &before, "HEAD"])
     });
-    // Without a base all files count as changed.
+    // Without a base all files are treated as changed.
     let changed = if base.is_empty() { git(&["ls-files"]) } else { git(&["diff", "--name-only", &base]) };
     let changed: BTreeSet<&str> = changed.lines().collect();
     let mut shuffled: Vec<&Weakening> = every().collect();

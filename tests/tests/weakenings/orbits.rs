@@ -1,4 +1,5 @@
-//! Weakenings of results on periodic points, tangent vectors, and continuation through poles.
+//! Weakenings, which are deliberate mistakes, of results on periodic points, tangent vectors, and
+//! continuation through poles.
 
 use super::list::Weakening;
 
@@ -101,7 +102,6 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(PROOFS, "derivatives along a cycle in the other order", "crates/kahan-dynamics/src/periodic/cycle.rs",
         "product = factor * product;",
         "product *= factor;"),
-    // The next weakenings concern branches of periodic points.
     of(CYCLES, "a derivative by the parameter in other units", "crates/kahan-dynamics/src/periodic/branch.rs",
         "*entry = rate * self.length;",
         "*entry = rate;"),

@@ -1,4 +1,5 @@
-//! Checks every lattice against Kahan's map of an independently written field, solved densely.
+//! Checks every lattice against Kahan's map of a field that is written independently. There, dense
+//! elimination solves the linear system.
 use kahan_bench_own_lattices::*;
 use kahan_core::prelude::*;
 
@@ -204,7 +205,7 @@ fn main() {
             }
         }
     }
-    // This system is equal, but its sums are written out.
+    // This block has the equations of `PredatorPrey` for three sites.
     let plain = {
         let (du, dv, eat, die) = (0.2, 0.5, 0.9, 0.4);
         let (r0, r1, r2) = (0.5, 1.0, 1.5);

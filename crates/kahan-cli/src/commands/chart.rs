@@ -47,7 +47,7 @@ use rows::Rows;
 Examples:
   kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
-// Rows of a file or --over may give ε.
+// `--eps` is optional, because the rows of a file or --over may give ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Chart {
     #[command(flatten)]
@@ -101,7 +101,7 @@ pub(crate) struct Chart {
     json: bool,
 }
 
-/// The options of orbits, which cannot be combined with --from.
+/// The options that describe orbits. None of them is allowed with --from.
 const OF_ORBITS: [&str; 12] = [
     "system",
     "field",
@@ -130,7 +130,7 @@ impl TypedValueParser for Colours {
         arg: Option<&Arg>,
         value: &OsStr,
     ) -> Result<ColourColumn, clap::Error> {
-        // Only unknown names get here, so clap refuses them.
+        // If the name is unknown, clap's own parser refuses it.
         let refused = |()| {
             listed().parse_ref(cmd, arg, value).map(|of| ColourColumn::named(of.name()).expect("listed"))
         };
@@ -164,7 +164,7 @@ impl QuestionCommand for Chart {
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
-        // A chart's first range varies fastest, and so does a question's last axis.
+        // The first range of a chart varies fastest. In a question, the last axis does.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))
     }

@@ -1,4 +1,4 @@
-//! Command lines that ask questions; pages show them under each figure.
+//! Command lines that reproduce answers; pages show them under each figure.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::printing::{Answer, UsageError};
 
-/// A command whose arguments can be read as a question and written from a question.
+/// A command line that can be turned into a question to `kahan-study`, and back.
 pub(crate) trait QuestionCommand: Args + FromArgMatches {
     type Question: PartialEq + Serialize;
 
@@ -176,7 +176,6 @@ mod tests {
             plain.clone(),
         ]);
         let of = vec![Observable::Escape];
-        // If eps is on an axis, the question holds the first value of the axis.
         let asked =
             Observe { observe: of, escape: Some(12.5), transient: 9, eps: rational(1, 1), ..plain.clone() };
         let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();

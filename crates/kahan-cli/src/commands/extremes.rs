@@ -168,7 +168,8 @@ fn row((place, cell): (&CellKey, &Cell)) -> Vec<String> {
     ]
 }
 
-/// Formats a number of failures. After n trials without failure, the rate is below 3/n at 95 %.
+/// Formats a number of failures. After n trials without failure, the rate of failure is below 3/n
+/// with 95 % confidence.
 fn silently_wrong(cell: &Cell) -> String {
     match cell.silently_wrong {
         0 => format!("0, < 3/{} at 95 %", cell.trials),

@@ -40,7 +40,7 @@ Examples:
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --over a=1:2:5 --dt 0.02 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
-// The option --over may give ε.
+// `--eps` is optional, because --over may give ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Orbit {
     #[command(flatten)]

@@ -49,7 +49,7 @@ Examples:
   kahan periodic --field 'sdot = -2*s*i; idot = 2*s*i - i; rdot = i;' --at 0.9,0.1,0
   kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg
   kahan periodic --field 'xdot=-y-z; ydot=x+y/5; zdot=1/5+x*z-4*z;' --free eps --eps 0.01 --at 1,2,0")]
-// The option --over may vary ε.
+// `--eps` is optional, because --over may give ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Periodic {
     #[command(flatten)]
@@ -93,7 +93,6 @@ pub(crate) struct Periodic {
     json: bool,
 }
 
-/// The longest period without `--free eps`.
 const LONGEST_PERIOD: usize = 200;
 const MOST_STEPS: usize = 1_000_000;
 

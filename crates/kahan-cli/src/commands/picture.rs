@@ -147,9 +147,7 @@ enum Kind {
     OrbitsOver,
 }
 
-/// The largest number of first points for each `--at`.
 const MOST_STARTS: usize = 100_000;
-/// The default number of crossings of each orbit, if neither crossings nor steps are given.
 const USUAL_CROSSINGS: u64 = 100;
 
 impl Picture {

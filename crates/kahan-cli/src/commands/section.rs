@@ -146,7 +146,8 @@ impl QuestionCommand for Section {
     }
 }
 
-/// Returns the formula of a section and its direction. Maxima are zeros of a derivative.
+/// Returns the formula of a section and its direction. For maxima of a variable, the formula is its
+/// derivative.
 pub(super) fn section(
     study: &Study,
     plane: Option<&str>,
@@ -178,7 +179,7 @@ fn complaint(study: &Study, orbits: &[Crossed]) -> Option<String> {
     })
 }
 
-/// A table that is opened when its first rows arrive, so that a refused question leaves no output.
+/// A table that is opened when its first rows arrive, so that a refusal leaves no output.
 struct DeferredTable {
     table: Option<Table>,
     begin: Option<(OutputStream, Map<String, Value>)>,

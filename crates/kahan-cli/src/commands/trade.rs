@@ -141,7 +141,7 @@ impl QuestionCommand for Trade {
 impl Trade {
     fn asked_of(&self, block: &Block) -> Result<(Study, Question), UsageError> {
         let study = self.source.study_of_block(block, self.at.as_deref())?;
-        // A false claim is reported before a missing number.
+        // Claims are proved first, so that a false claim is reported before a missing number.
         study.proved()?;
         let asked = Question {
             at: point(self.at.as_deref(), &study)?,
@@ -194,7 +194,8 @@ fn text(traded: &Traded, call: Option<&CommandLine>) -> String {
     paragraphs([vec![title], table(&front(traded).rows, 4), lines])
 }
 
-/// Lists the schemes that cannot reach the tolerance, each with its smallest error.
+/// Lists the schemes (scalar type, order, compensated or not) that cannot reach the tolerance, each
+/// with its smallest error.
 fn out_of_reach(traded: &Traded) -> Vec<String> {
     let mut lines = Vec::new();
     for &scheme in &traded.stalled {

@@ -13,7 +13,6 @@ use std::ops::Range;
 use kahan_algebra::render::{columns, lines, widths};
 use kahan_draw::document::Rows;
 
-/// The assumed width if the width of the screen is unknown.
 const USUAL_WIDTH: usize = 80;
 /// Narrower terminals are treated as this wide.
 const NARROWEST: usize = 20;
@@ -22,7 +21,7 @@ pub(crate) fn screen_width() -> usize {
     terminal_width().unwrap_or(USUAL_WIDTH)
 }
 
-/// Returns the width at which lines are cut off.
+/// Returns the greatest width of a line: that of the terminal, but at most 100.
 pub(crate) fn page_width() -> usize {
     const WIDEST: usize = 100;
     terminal_width().map_or(WIDEST, |width| width.min(WIDEST))
@@ -97,7 +96,7 @@ pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> Strin
     below_each_other(groups).join("\n") + "\n"
 }
 
-/// The width above which a cell counts as a sentence, which may be broken.
+/// Cells wider than this are taken for sentences, which may be broken.
 const SENTENCE: usize = 24;
 
 /// Returns the width of each column if its heading has one word on each line.
@@ -107,8 +106,8 @@ fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     heading.map(|(column, name)| longest_word(name).max(largest(rows, column, length))).collect()
 }
 
-/// Narrows the widest columns until the total is `width`. A column keeps its longest word and its
-/// entry of `least`. Returns `None` if the columns stay too wide.
+/// Narrows the widest columns until the total is `width`. A column stays at least as wide as its
+/// longest word and its entry of `least`. Returns `None` if the columns stay too wide.
 fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
     let least: Vec<usize> =

@@ -18,7 +18,7 @@ use super::rust_file::{RustBlock, blocks};
 use crate::printing::{UsageError, joined};
 
 thread_local! {
-    /// The last block. A command reads its field twice: for notes, and for its answer.
+    /// The last block that was read, because a command reads its field twice.
     static LAST: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 

@@ -92,7 +92,7 @@ impl Start {
     }
 }
 
-/// Spells a named value of a question as an option.
+/// Writes an option and its value as in a command line.
 pub(crate) fn option(name: &str, value: &str) -> String {
     format!("--{name} {value}").trim_end().to_owned()
 }

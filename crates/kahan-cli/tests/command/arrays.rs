@@ -100,7 +100,6 @@ fn a_file_of_arrays_is_a_field() {
         )
         .with("Q_indptr", "<i8", "(3,)", [0_i64, 0, 3].iter().flat_map(|end| end.to_le_bytes()).collect());
     assert_eq!(sparse.run(true, |path| answer(&["show", "--file", path])), wanted);
-    // Other commands read the file without printing notes.
     let orbit = |source: [&str; 2]| {
         let run =
             kahan(&[&["orbit"][..], &source, &["--eps", "0.01", "--at", "1/2,0", "--steps", "50"]].concat());

@@ -321,7 +321,6 @@ fn a_scan_names_its_special_points_in_a_table() {
     // At a = 0 the field divides by 0.
     let page = answer(&["scan", "--field", "xdot = y/a; ydot = x^2;", "--param", "a=0:1:+1"]);
     assert!(page.lines().any(|line| line.starts_with("0 ") && line.contains("no map")), "{page}");
-    // A parameter with a single value is fixed.
     let scan = object(&["scan", "e7", "--eps", "1/4:1/2:+1/4", "--param", "xi=1"]);
     assert_eq!((&scan["generic"]["independent_integrals"], &scan["special"]), (&json!(2), &json!([])));
 }

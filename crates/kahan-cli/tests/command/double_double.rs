@@ -111,7 +111,6 @@ fn a_number_in_json_has_32_digits() {
     let orbit = object("orbit e1 --eps 1/3 --at 1/7,1/3,2 --steps 1 --scalar dd --json");
     assert_eq!(orbit["scalar"], "dd");
     assert_eq!(orbit["rows"][0][2].to_string(), "0.14285714285714285714285714285714");
-    // Integers have no decimal point, and `f64` has its shortest decimal.
     assert_eq!(orbit["rows"][1][0].to_string(), "1");
     assert_eq!(orbit["steps"], 1);
     let floats = object("eval e1 --eps 1/3 --at 1/7,1/3,2 --scalar f64 --json");

@@ -104,7 +104,7 @@ fn tables_name_what_they_show() {
     assert!(table.lines().all(|line| line.chars().count() <= 80));
 }
 
-/// In each step 1/x falls by 2ε, until it passes through 0.
+/// For ẋ = x², 1/x falls by 2ε in each step, until it passes through 0.
 #[test]
 fn steps_over_poles_are_counted_where_they_are_asked_for() {
     let dense = |n: usize| -> String {
@@ -285,7 +285,7 @@ fn charts_show_what_each_orbit_does() {
         assert!(
             x.is_some_and(|x| [1.0 / 3.0, 1.0, 5.0 / 3.0].iter().any(|middle| (x - middle).abs() < 1e-15))
         );
-        // The exponents of the map are log |(1 + εw)/(1 − εw)|/(2ε), where w² = r.
+        // For ẋ = y, ẏ = rx, w = √r, the exponents of the map are log |(1 + εw)/(1 − εw)|/(2ε).
         let rate = if r < 0.0 { 0.0 } else { (0.1 * r.sqrt()).atanh() / 0.1 };
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }
@@ -407,7 +407,7 @@ const ROWS: &str =
 #[test]
 fn charts_show_the_rows_of_a_file() {
     let of = |arguments: &[&str]| chart_of_rows(ROWS, arguments);
-    // The values are the midpoints of the cells, in order. A cell without rows is empty.
+    // A cell without rows is empty.
     assert_eq!(
         of(&["--over", "y", "--over", "p", "--where", "order=2"]),
         "y,p,log_sali\n0.1,1.0,0.0\n0.2,1.0,-4.0\n0.3,1.0,-2.0\n0.1,3.0,-6.0\n0.2,3.0,\n0.3,3.0,\n"

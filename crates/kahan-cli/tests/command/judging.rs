@@ -40,7 +40,7 @@ fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     let read = cells(&field);
     assert_eq!(read, cells(&["extremes", "e3"]));
     assert!(read.as_array().is_some_and(|cells| cells.iter().any(|cell| cell["silently_wrong"] != 0)));
-    // The parameter is drawn and also a divisor, and 1/3 is not a float.
+    // The parameter mu is random and also a divisor, and 1/3 is not a float.
     cells(&["extremes", "--field", "xdot = x*y/mu + 1/3; ydot = mu - x^2;"]);
 }
 

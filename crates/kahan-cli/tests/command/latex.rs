@@ -38,7 +38,6 @@ fn assert_is_whole(page: &str) {
                 _ => {}
             }
             if c == '\\' {
-                // The taken command includes the name of an environment, or an escaped sign.
                 taken = match &rest[..word] {
                     "\\begin" | "\\end" => rest.find('}').map_or(word, |end| end + 1),
                     "\\" => 1 + rest[1..].chars().next().map_or(0, char::len_utf8),

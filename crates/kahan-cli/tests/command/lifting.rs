@@ -58,7 +58,6 @@ fn an_orbit_is_in_the_original_variables() {
     assert!(heading.starts_with("n,t,x,v,sin_x,cos_x,energy"), "{heading}");
     assert_eq!((all[0][4], all[0][5]), (1.0_f64.sin(), 1.0_f64.cos()));
     assert!(own.iter().zip(&all).all(|(own, all)| own[..4] == all[..4]));
-    // The printed block has the same orbit.
     let block = answer(&["lift", "--macro", "--field", PENDULUM]);
     let at = format!("1,0,{},{}", all[0][4], all[0][5]);
     let (_, of_block) = rows(&["orbit", "--field", &block, "--at", &at, "--eps", "0.05", "--steps", "20"]);

@@ -139,7 +139,6 @@ fn a_page_says_once_what_is_taken_as_a_parameter() {
     let known = ["page", "--field", "xdot = a*y; ydot = -x;", "--seconds", "1", "--out", out];
     let output = kahan(&[&known[..], &["--param", "a=1"]].concat());
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
-    // The refusal of a missing parameter comes without notes.
     assert!(!refusal(&known).contains("note"));
 }
 
@@ -199,7 +198,7 @@ fn the_lift_of_a_page_is_chosen_along_an_orbit() {
     let neuron = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
     let shown = page(folder.path(), &["--field", neuron, "--lift", "--seconds", "0.5"]);
     assert!(shown.contains("decays at the rate -1."), "{shown}");
-    // The orbit of a given point determines the lift. A quadratic field has no lift on its page.
+    // The orbit of a given point determines the lift.
     let given = page(folder.path(), &["--field", neuron, "--lift", "--at", "2,1/2", "--seconds", "0.5"]);
     assert!(given.contains("the orbit from (2, 1/2)") && given.contains("v(0) = 2; w(0) = 1/2;"), "{given}");
     let plain = page(folder.path(), &["--field", "xdot = 1/4 - x^2;", "--lift", "--seconds", "0.5"]);

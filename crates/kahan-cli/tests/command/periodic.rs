@@ -15,7 +15,7 @@ fn the_examples_of_the_help_run() {
 
 #[test]
 fn multipliers_of_a_linear_field_are_those_of_the_formula() {
-    // The eigenvalues λ = −1 and 2 give the multipliers (1 + ελ)/(1 − ελ).
+    // The eigenvalues λ = −1 and 2 of f′ give the multipliers (1 + ελ)/(1 − ελ).
     let found = object(&[
         "periodic",
         "--field",
@@ -32,7 +32,7 @@ fn multipliers_of_a_linear_field_are_those_of_the_formula() {
         assert!((re - expected).abs() < 1e-14 && im == 0.0, "{multiplier}");
     }
     assert_eq!((&found["stability"], &found["family"]), (&"saddle".into(), &0.into()));
-    // The polynomial is (z − 3/2)(z − 9/11).
+    // The characteristic polynomial is (z − 3/2)(z − 9/11).
     let exact = serde_json::json!(
         { "points": [["0", "0"]], "polynomial": "27/22 - 51/22*z + z^2", "stability": "saddle" }
     );
@@ -85,7 +85,7 @@ fn a_branch_goes_round_its_fold() {
         table.starts_with("a,n,x,stability,multiplier1_re,multiplier1_im,change\n1.0,0,1.0,attracting,"),
         "{table}"
     );
-    // The map and the flow have the same fixed points: a = x².
+    // The map has the fixed points of the flow, at which a = x².
     for row in table.lines().skip(1) {
         let numbers: Vec<f64> = row.split(',').filter_map(|cell| cell.parse().ok()).collect();
         assert!((numbers[0] - numbers[2] * numbers[2]).abs() < 1e-10, "{row}");
@@ -94,8 +94,8 @@ fn a_branch_goes_round_its_fold() {
 
 #[test]
 fn what_changes_the_stability_of_the_lorenz_system_is_found() {
-    // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, for the flow as
-    // well as for the map. The multipliers of the map are (1 + ελ)/(1 − ελ).
+    // The equilibria of the Lorenz system lose their stability at s(s + b + 3)/(s − b − 1) =
+    // 470/19, for the flow and for the map. The multipliers of the map are (1 + ελ)/(1 − ελ).
     let lorenz = ["lorenz", "--param", "s=10", "--param", "b=8/3", "--eps", "1/1000", "--at", "8,8,27"];
     let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:+-2/5", "--json"]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
@@ -109,7 +109,7 @@ const HOPF: &str = "Hopf point, a pair of eigenvalues of f' goes through the ima
 #[test]
 fn steady_states_keep_the_totals_of_their_start() {
     let sirs = ["periodic", "--field", "sdot = -2*s*i + r/2; idot = 2*s*i - i; rdot = i - r/2;", "--json"];
-    // The steady state has s = 1/2 and i = r/2, and the total of the start.
+    // In the steady state, s = 1/2, i = r/2, and s + i + r is that of the start.
     for (start, state) in [
         ("0.5,0.2,0.3", ["1/2", "1/6", "1/3"]),
         ("1,0.5,0.5", ["1/2", "1/2", "1"]),
@@ -119,7 +119,7 @@ fn steady_states_keep_the_totals_of_their_start() {
         assert_eq!(found["exact"]["points"][0], serde_json::json!(state), "{found}");
         assert_eq!((&found["family"], &found["stability"]), (&0.into(), &"attracting".into()), "{found}");
         assert_eq!(found["eigenvalues"].as_array().map(Vec::len), Some(2), "{found}");
-        // In all three variables, the preserved total adds an eigenvalue 0.
+        // With --hold none, the preserved total s + i + r adds an eigenvalue 0.
         let free = object(&[&sirs[..], &["--at", start, "--hold", "none"]].concat());
         assert_eq!((&free["family"], &free["stability"]), (&1.into(), &"neutral".into()), "{free}");
         assert_eq!(
@@ -188,7 +188,7 @@ fn what_is_no_cycle_and_what_does_not_fit_is_said() {
     assert!(answer(&over).contains("neutral"));
 }
 
-/// Here trace − 2 is 1.5e-10; rounding errors are a hundred thousand times larger.
+/// For period 29, the sum of the multipliers is 2 + 1.5e-10. Rounding errors are about 1e-5.
 #[test]
 fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
     let cycle = |eps: &str, at: &str, period: &str| {
@@ -231,7 +231,7 @@ fn limit_cycles_of_the_flow_are_found_with_their_eps() {
         let steps = number(&found["period"]);
         assert!((2.0 * eps * steps / period - 1.0).abs() < 1e-2, "{flow}");
         assert_eq!(found["stability"], "attracting");
-        // The eigenvalues λ of the equations for r and z satisfy λ² + λ + 6/5 = 0.
+        // The eigenvalues λ of the equations for r = √(x² + y²) and z satisfy λ² + λ + 6/5 = 0.
         let size = flow["multipliers"].as_array().expect("multipliers").iter();
         let size: Vec<f64> = size.map(|one| number(&one[0]).hypot(number(&one[1]))).collect();
         assert!(

@@ -65,7 +65,6 @@ fn a_diagram_shows_crossings_over_a_parameter() {
             "{found}"
         );
     }
-    // By default, a hundred crossings are shown.
     let usual = [&orbit[..orbit.len() - 4], &["--over", "c=2:4:2", "--maxima", "x"]].concat();
     assert_eq!(described(&usual)["points"], 200);
 }
@@ -83,7 +82,7 @@ fn a_section_has_the_crossings_of_its_orbits() {
     let counted = [&orbit[..3], &["--at", "1,2,3", "--at", "1,1,2", "--crossings", "5"]].concat();
     assert_eq!(described(&[&counted[..], &["--plane", "x - y"]].concat())["points"], 10);
     assert_eq!(described(&[&counted[..], &["--maxima", "x"]].concat())["points"], 10);
-    // The last variable of the formula is not an axis.
+    // The last variable in the formula x - y is not an axis of the picture.
     assert!(section["shows"].as_str().expect("words").contains("x and z"), "{section}");
     for (arguments, word) in [
         (&["--kind", "section"][..], "what vanishes there"),
@@ -122,7 +121,7 @@ fn the_points_of_a_portrait_are_those_of_the_orbit() {
     let arguments = ["lv", "--eps", "1/10", "--at", "1/2,5/3", "--steps", "3"];
     let window = ["--window", "x=0:4", "--window", "y=0:4", "--size", "480x466"];
     let svg = drawn(&[&arguments[..], &window].concat());
-    // The axes are 425.32 and 412 units long, and begin at (40.68, 424).
+    // In the drawing, the axes are 425.32 and 412 long, and begin at (40.68, 424).
     let table = answer(&[&["orbit"], &arguments[..]].concat());
     let place = |row: &str| {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().expect("a number")).collect();

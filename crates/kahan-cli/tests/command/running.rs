@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-/// A field whose reduced map has too many terms.
+/// A field whose reduced map has too many terms to be written out.
 pub(crate) const BEYOND_THE_BUDGET: &str = "
     adot = (a + b + c + d + e)*(a*2 + 1); bdot = (a + b + c + d + e)*(b*2 + 1);
     cdot = (a + b + c + d + e)*(c*2 + 1); ddot = (a + b + c + d + e)*(d*2 + 1);

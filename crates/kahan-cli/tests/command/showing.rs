@@ -153,7 +153,6 @@ fn the_macro_block_keeps_documentation_attributes_and_the_order_of_parameters() 
     let again = folder.path().join("again.rs");
     std::fs::write(&again, &found).expect("a file");
     assert!(answer(&["verify", "--file", again.to_str().expect("UTF-8")]).contains("proved"), "{found}");
-    // Lines of documentation are not broken.
     let long = format!("/// {}", "word ".repeat(40).trim_end());
     let found =
         answer(&["discover", "--field", &format!("{long}\nstruct S;\nxdot = y; ydot = -x;"), "--macro"]);

@@ -7,8 +7,8 @@ use std::process::{Command, Output};
 
 use crate::running::text;
 
-/// Runs the command from a folder without other programs. A copy could not run while another test
-/// starts a process, so the folder gets a link.
+/// Runs the command from a folder without other programs. The folder holds a link, because a fresh
+/// copy may be refused as busy.
 fn sweep(programs: &Path, arguments: &[&str]) -> Output {
     let copy = programs.join("kahan");
     let command = env!("CARGO_BIN_EXE_kahan");

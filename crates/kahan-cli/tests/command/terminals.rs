@@ -41,7 +41,7 @@ fn tables() -> Vec<(Vec<String>, String)> {
     done.collect()
 }
 
-/// Returns whether a line is a formula, a claim, code or a note, which only terminals break.
+/// Returns whether a line is a formula, a claim, code or a note. Only terminals wrap such lines.
 fn is_formula(line: &str) -> bool {
     let line = line.trim_start();
     let is_named = ["integral ", "density ", "bracket ", "choice", "let orbit", "note ", "random-"];
@@ -62,7 +62,7 @@ fn every_line_of_a_table_fits_80_columns_or_is_one_number() {
     }
 }
 
-/// Returns whether a line is a sentence below a table, which only terminals break.
+/// Returns whether a line is a sentence below a table. Only terminals wrap such sentences.
 fn is_sentence(arguments: &[String], line: &str) -> bool {
     let of_discover = arguments[0] == "discover" && line.ends_with('.');
     of_discover

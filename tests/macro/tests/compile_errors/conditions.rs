@@ -18,7 +18,7 @@ kahan! {
     integral H = x^2 + y^2 when k = 1, k = 2;
 }
 
-// The counterexample satisfies the relation.
+// The claim is false under its condition, so the counterexample must satisfy k = 2*l.
 kahan! {
     pub struct FalseOnTheRelation { k, l }
     xdot = k*y;

@@ -9,7 +9,7 @@ kahan! {
     ydot = 1;
 }
 
-// The whole divisor after `/` counts.
+// The divisor after `/` is the whole sum, which contains a state.
 kahan! {
     pub struct SumWithAState { k }
     xdot = -x/(k + x);

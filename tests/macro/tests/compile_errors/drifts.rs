@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// The next value must be a function of F, not a density.
+// The next value of F must be a formula in F, without densities.
 kahan! {
     pub struct ByADensity;
     xdot = y;
@@ -11,7 +11,7 @@ kahan! {
     drift F = x^2 + y^2 by rho*F;
 }
 
-// The next value must be a function of F, not a state.
+// The next value of F must be a formula in F, without states.
 kahan! {
     pub struct ByAState;
     xdot = x^2;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// A field needs one formula everywhere.
+// A field must be one formula, without cases.
 kahan! {
     pub struct Conditional;
     xdot = if x { 1 } else { 0 };

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 const FOLDER: &str = "macro/tests/compile_errors";
 
 pub(super) struct CompileCase {
-    /// The name `topic`, or `topic/name`.
+    /// The name of the case: `topic`, or `topic/name`.
     pub(super) name: String,
     pub(super) source: String,
     /// The byte range inside the brackets of each `kahan!`, in the order of the file.

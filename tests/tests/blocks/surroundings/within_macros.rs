@@ -17,7 +17,7 @@ macro_rules! system {
 
 system!(FromPieces, mu, x + 1, 0.1, (x - y));
 
-/// An equal system, written by hand.
+/// A system equal to the one that the macro writes, written by hand.
 mod in_one_piece {
     use super::kahan;
 

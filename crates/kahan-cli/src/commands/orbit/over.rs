@@ -13,7 +13,7 @@ struct Combinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The cached fields of the first combinations of values.
+    /// The systems at the first combinations of values, which are cached.
     few: Vec<Study>,
 }
 
@@ -70,7 +70,6 @@ impl Orbit {
         self.write(head, &names, orbits, |(start, index, values), table, watch| {
             let ending = asked(start, &values)
                 .and_then(|asked| Ok(asked.begin(&all.study(index)?)?.rows(0..u64::MAX, table, watch)));
-            // An orbit without a first point ends at step 0.
             Ok(ending.unwrap_or_else(|why| Ending {
                 end: End::Range(0),
                 step: 0,

@@ -137,7 +137,7 @@ impl Subject<'_> {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
         };
-        // A chart's first range varies fastest, and so does a question's last axis.
+        // The first range of a chart varies fastest. In a question, the last axis does.
         let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
             let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
             let range = range.expect("printed numbers make a range");
@@ -272,7 +272,7 @@ pub(super) fn command(line: &CommandLine) -> Markup {
 /// Explains by the numbers of crossings whether a section shows curves or areas.
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
-    /// The mean number of crossings at a place, above which orbits count as periodic.
+    /// Orbits are called periodic if they cross at each place at least this often, on average.
     const OFTEN: usize = 10;
 
     let of =
@@ -302,7 +302,7 @@ fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     }
 }
 
-/// Rounds a number to a unit, the largest power of ten below a hundredth of `length`.
+/// Rounds to a multiple of the largest power of ten below a hundredth of `length`.
 fn between(value: f64, length: f64) -> String {
     let unit = libm::exp10(libm::log10(length / 100.0).floor());
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };

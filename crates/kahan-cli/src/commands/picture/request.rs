@@ -56,7 +56,6 @@ pub(crate) struct NotedPicture {
 }
 
 const MOST_POINTS: u64 = 10_000_000;
-/// The largest number of points that are joined by lines.
 const MOST_JOINED: u64 = 100_000;
 
 impl PictureRequest {
@@ -198,7 +197,7 @@ impl PictureRequest {
         )))
     }
 
-    /// Asks about the starts one by one while time remains. Also returns whether time ran out.
+    /// Calls `ask` for each start while time remains. Also returns whether time ran out.
     fn each<A>(
         &self,
         starts: &[Vec<Rational>],
@@ -209,7 +208,7 @@ impl PictureRequest {
             ProgressDisplay::new((starts.len() as u64).saturating_mul(steps), "steps").within(self.seconds);
         let mut found = Vec::new();
         for at in starts {
-            // The first orbit is always computed, because the question may be refused.
+            // `ask` is called for the first start in any case, because it may refuse the question.
             if prompt.is_over() && !found.is_empty() {
                 break;
             }
@@ -226,7 +225,7 @@ impl PictureRequest {
         section: Option<&Section>,
         look: &PictureOptions,
     ) -> Result<NotedPicture, UsageError> {
-        // An axis may be a new variable of a lift.
+        // An axis may be a new variable of a lift, so the study shows all variables.
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len(), section.and_then(|asked| asked.crossings).unwrap_or(self.steps))?;

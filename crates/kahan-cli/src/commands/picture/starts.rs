@@ -69,7 +69,7 @@ impl StartSpread {
 
     /// Draws random points in a cube around a point.
     fn around(&self, middle: &[Rational], count: usize, random: &mut SplitMix64) -> Vec<Vec<Rational>> {
-        /// Random coordinates are multiples of the radius over this number.
+        /// Random coordinates are multiples of the radius divided by this number.
         const PARTS: i64 = 1 << 20;
 
         let part = self.radius.checked_div(&Rational::from(PARTS)).expect("there are parts");

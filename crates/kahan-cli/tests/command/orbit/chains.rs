@@ -48,7 +48,7 @@ fn a_short_chain_is_the_block_that_is_written_out() {
         chain(SHORE, &[&common[..], &["--start", "n = (1 + i)/2", "--param", "r = 1 + i/n"]].concat());
     let (plain, family) = (answer(&plain), answer(&family));
     assert_eq!(plain.lines().next(), family.lines().next());
-    // Both programs solve the same equations five times, with numbers of size 1.
+    // Both orbits have five steps and numbers of size 1, so only their roundings differ.
     for (a, b) in numbers(&plain).iter().flatten().zip(numbers(&family).iter().flatten()) {
         assert!((a - b).abs() < 1e-14, "{a} {b}");
     }
@@ -93,7 +93,7 @@ fn an_orbit_goes_on_from_a_file() {
     };
     let formulas = "b = cos(i); a = exp(-i)/2";
     springs(formulas, "6", "6", &whole);
-    // The next orbit begins at the last of two rows.
+    // The array `first` has the states at n = 0 and n = 3. The next orbit begins at the last state.
     springs(formulas, "3", "3", &first);
     let (header, values) = array(&first);
     assert_eq!(header, "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 50, 2), }");
@@ -103,7 +103,7 @@ fn an_orbit_goes_on_from_a_file() {
     fs::write(&middle, format!("a,b\n{}\n", rows.join("\n"))).expect("a file");
     springs(path_text(&middle), "3", "3", &second);
     assert_eq!(array(&second).1[100..], array(&whole).1[100..]);
-    // A heading says which column belongs to which array.
+    // A heading names the array of each column.
     let turned: Vec<String> =
         values[100..].chunks(2).map(|site| format!("{:?},{:?}", site[1], site[0])).collect();
     fs::write(&middle, format!("b,a\n{}\n", turned.join("\n"))).expect("a file");

@@ -32,7 +32,7 @@ fn eps_of(setting: &Value, horizon: f64) -> f64 {
     }
 }
 
-/// Returns an error from a setting; NaN counts as infinite.
+/// Returns an error from a setting, with infinity in place of NaN.
 fn error(setting: &Value, key: &str) -> f64 {
     setting[key].as_f64().unwrap_or(f64::INFINITY)
 }
@@ -169,8 +169,8 @@ fn integrals_are_kept_by_a_coarse_step_of_the_map_itself() {
     assert!(number(choice, "flow_integral_drift") > 1e-4, "at this eps the flow's are not kept: {choice}");
 }
 
-/// At ε = 0, the claims of the Euler top are 1 everywhere. A composition preserves the coefficient
-/// of ε².
+/// At ε = 0, the claimed integrals of the Euler top are 1 everywhere, so the coefficient of ε² is
+/// measured for compositions.
 #[test]
 fn an_integral_that_is_trivial_for_the_flow_is_measured_by_its_next_coefficient() {
     let scene = ["trade", "euler", "--param", "a1=1", "--param", "a2=-3", "--param", "a3=1"];
@@ -193,7 +193,7 @@ fn a_field_of_the_users_own_is_run_and_pasted_as_it_was_given() {
     let object = json(&[&field[..], &["--horizon", "1", "--tolerance", "1e-4", "--seconds", "60"]].concat());
     assert_eq!(object["timing"], "measured");
     assert_eq!(object["reference"]["second_method"], "composition");
-    // The error of the reference, at most a hundredth of the tolerance, counts as well.
+    // The error of the reference, at most a hundredth of the tolerance 1e-4, is added.
     let difference = number(&object["reference"], "difference");
     assert!(difference <= 1e-6 && difference + number(&object["choice"], "trajectory_error") <= 1e-4);
     let rust = object["choice"]["rust"].as_str().expect("a line");

@@ -1,4 +1,4 @@
-//! A left-hand side without `dot` still counts as a state, so the dimension is right.
+//! A left-hand side without `dot` is still read as a state, so the dimension is right.
 
 use kahan_core::prelude::*;
 
