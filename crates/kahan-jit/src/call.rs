@@ -12,7 +12,7 @@ use crate::pages::Pages;
 /// The minimum sizes of the arrays that the code reads and writes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MemoryExtent {
-    /// The number of numbers in a register. The other fields count registers.
+    /// The count of numbers that a register holds. The other fields count registers.
     pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
@@ -105,10 +105,10 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). With `own`, each register of trajectories
-    /// has its own constants.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). With `own`, each SIMD register of
+    /// trajectories has its own constants.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
-        /// The table size for nearly every field. Clearing a larger table would take longer.
+        /// The usual length of the address table. Clearing a longer table takes more time.
         const FEW: usize = 32;
         /// The maximum number of columns. The interpreter steps larger fields.
         const MOST: usize = 256;
@@ -187,7 +187,7 @@ fn written<T>(numbers: &mut [T]) -> usize {
     numbers.as_mut_ptr().expose_provenance()
 }
 
-/// Converts a number of steps to `usize`. A number that is too large never completes anyway.
+/// Converts a number of steps to `usize`. Larger numbers never complete, and become `usize::MAX`.
 fn counted(steps: u64) -> usize {
     usize::try_from(steps).unwrap_or(usize::MAX)
 }

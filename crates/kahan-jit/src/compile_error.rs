@@ -20,9 +20,9 @@ pub enum CompileError {
     },
     /// An operation reads a later or missing operation, or a result does not exist.
     Malformed,
-    /// This system does not support run-time code.
+    /// This operating system does not support run-time code.
     System,
-    /// The system refused executable memory.
+    /// The operating system refused executable memory.
     Pages(std::io::Error),
 }
 

@@ -3,7 +3,7 @@
 use crate::CompileError;
 use crate::assembler::{Element, OperandForm, Width};
 
-/// An extension of the processor: Intel's name, and a test whether processor and system support it.
+/// An extension: Intel's name, and a test whether processor and operating system support it.
 type Extension = (&'static str, fn() -> bool);
 
 /// An instruction set of a processor. Later sets of an architecture include earlier sets.
@@ -45,7 +45,7 @@ impl InstructionSet {
             && self.extensions().iter().all(|(_, is_detected)| is_detected())
     }
 
-    /// Checks that this system supports run-time code. On 64-bit Arm, only Linux and Android do.
+    /// Checks that run-time code is supported. On 64-bit Arm, only Linux and Android support it.
     pub(crate) fn may_run(self) -> Result<(), CompileError> {
         let is_known = cfg!(all(any(target_os = "linux", target_os = "android"), target_endian = "little"));
         if self == Self::Neon && cfg!(target_arch = "aarch64") && !is_known {

@@ -2,8 +2,8 @@
 //!
 //! A [`Program`] over two arrays becomes code in `f64` or `f32`, scalar or in SIMD lanes. The code
 //! runs the program once ([`Function`]), repeatedly on one state ([`Orbit`], [`ComposedOrbit`]), or
-//! over columns of trajectories ([`Sweep`]). Results have the bits of generated Rust code. Without
-//! the feature `pages` every program is refused.
+//! over columns of trajectories ([`Sweep`]). Results equal those of generated Rust code bit for
+//! bit. Without the feature `pages` every program is refused.
 //!
 //! `unsafe` occurs only in `call.rs`, three files of `routine`, `pages/cache.rs` and a test helper.
 

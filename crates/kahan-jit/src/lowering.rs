@@ -24,7 +24,7 @@ pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
 /// Lowers a program. If the program negates a number, the constant [`SIGN`] is added.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: ResultDestination) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
-    // Unneeded operations are skipped, and no later operation reads their entry in `places`.
+    // Unneeded operations are skipped. Their entries in `places` are invalid, and are not read.
     let (is_needed, mut places) = (program.needed(), vec![Node(usize::MAX); program.operations.len()]);
     for (index, operation) in program.operations.iter().enumerate() {
         if is_needed[index] {
@@ -60,7 +60,7 @@ impl Lowering {
         self.lowered.push(operation)
     }
 
-    /// Returns the node of result `i`, which is a copy if the value lives in another location.
+    /// Returns the node of result `i`; for an input or constant stored elsewhere, a copy.
     fn result(&mut self, i: usize, place: Node, ends: ResultDestination) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
             (Instruction::Input(Input::State(_)), ResultDestination::Carried) => true,

@@ -35,7 +35,7 @@ impl Pages {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// Returns the address of the first byte. Another thread may have written the code.
+    /// Returns the address of the first byte. On 64-bit Arm, discards prefetched instructions.
     #[inline]
     pub(crate) fn entry(&self) -> *const u8 {
         #[cfg(all(target_arch = "aarch64", feature = "pages"))]

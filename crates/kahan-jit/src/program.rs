@@ -18,7 +18,7 @@ pub enum CalledFunction {
     Maximum,
     /// Returns a if a < b, else b.
     Minimum,
-    /// Rounds to the nearest single-precision number. In single-precision programs nothing changes.
+    /// Rounds to single precision; in single-precision programs, copies the number.
     RoundToSingle,
     /// Copies a number, for results that no operation computes.
     Copy,

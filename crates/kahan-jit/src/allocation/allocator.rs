@@ -184,7 +184,7 @@ impl<'a> Allocator<'a> {
         for operand in operands {
             self.lock(operand);
         }
-        // At most one operand may be in memory, and this operand must not occur twice.
+        // At most one operand may stay in memory, and it must not occur twice.
         for operand in [c, b, a] {
             let in_memory = |value: &usize| self.register_of[*value].is_none();
             let is_only = operands.iter().filter(|value| in_memory(value)).count() == 1;
@@ -205,7 +205,7 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // If an operand is in memory, it is loaded. Otherwise the addend is copied.
+            // Overwrite the operand that must be loaded from memory, or else a copy of the addend.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {
@@ -217,7 +217,7 @@ impl<'a> Allocator<'a> {
             (to, overwritten)
         };
         let (order, second, third) = if overwritten == c {
-            // The instruction can read only its last operand from memory.
+            // Only the last operand may be in memory, so a and b are exchanged if a is there.
             if self.register_of[a].is_none() {
                 (a, b) = (b, a);
             }
@@ -233,7 +233,6 @@ impl<'a> Allocator<'a> {
         self.free_slots_of(&operands);
     }
 
-    /// Writes an instruction whose operands are ready, and allocates the register of the result.
     fn finish(&mut self, operands: &[usize], instruction: impl FnOnce(Vector) -> MachineInstruction) {
         self.release(operands);
         let to = self.target();

@@ -32,7 +32,7 @@ pub(crate) enum MachineInstruction {
     Load(Vector, ValueLocation),
     Store(ValueLocation, Vector),
     Copy(Vector, Vector),
-    /// Computes to = a ∘ b, with the operands in the order to, a, b.
+    /// Computes to = a ∘ b for the operator ∘. The fields are the operator, to, a and b.
     Binary(Binary, Vector, Vector, Source<ValueLocation>),
     /// A fused multiply-add. `FusedOrder` says which of the operands to, b, c are multiplied.
     Fused(Fused, FusedOrder, Vector, Vector, Source<ValueLocation>),
@@ -120,7 +120,7 @@ fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        // A program whose results go elsewhere runs only one round.
+        // If results do not become states, the program runs only once.
         Instruction::Constant(_) => plan.ends != ResultDestination::Elsewhere,
         _ => false,
     };

@@ -40,7 +40,7 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Returns whether loading a variable pays: it is read again, and a register is free.
+    /// Returns whether to load a variable from memory: it is read again, and a register is unused.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable =
             !matches!(self.home[value], Some(ValueLocation::Constant(_) | ValueLocation::Literal(_)) | None);
@@ -56,7 +56,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register for the current value. The value of the next state i prefers register i.
+    /// Returns a register for the current result, if possible register i for the next state i.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == ResultDestination::Carried);
         match carried {
@@ -101,7 +101,7 @@ impl Allocator<'_> {
         register
     }
 
-    /// Marks these operands as used by this operation, and frees the registers of dead values.
+    /// Records these values as read, and frees the registers of values that are not read again.
     pub(super) fn release(&mut self, values: &[usize]) {
         for &value in values {
             self.uses.end(value, self.time);

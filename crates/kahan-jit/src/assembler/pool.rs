@@ -37,7 +37,7 @@ impl Pool {
         self.uses.push((place, entry));
     }
 
-    /// Appends the constants to the code, at the start of a cache line. The bytes before are
+    /// Appends the constants to the code, at the start of a cache line. The gap before them holds
     /// `filler`, which traps when executed. `refer` patches each reference with its target.
     pub(super) fn append_to(
         self,

@@ -28,7 +28,7 @@ fn line_lengths() -> [usize; 2] {
     let types: u64;
     // SAFETY: user programs may read this register.
     unsafe { asm!("mrs {}, ctr_el0", out(reg) types, options(nomem, nostack, preserves_flags)) };
-    // Both fields hold log₂ of a line length, in units of 4 bytes.
+    // Both fields hold log₂ of a line length, counted in words of 4 bytes.
     [16, 0].map(|shift| 4 << (types >> shift & 0xf))
 }
 

@@ -62,7 +62,8 @@ mod on_linux {
         }
     }
 
-    /// Counts the executable bytes of this process. The system may merge neighbouring ranges.
+    /// Counts the executable bytes of this process. The operating system may merge neighbouring
+    /// ranges.
     fn executable() -> usize {
         let pieces = pieces().into_iter().filter(|piece| piece.permissions.contains('x'));
         pieces.map(|piece| piece.addresses.len()).sum()
@@ -76,7 +77,7 @@ mod on_linux {
         for _ in 0..PAGES {
             drop(Pages::new(&bytes).expect("the system gives pages"));
         }
-        // Tests that run at once hold far fewer than a tenth of these pages.
+        // Other tests that run at the same time hold far fewer than a tenth of these pages.
         let (after, most) = (executable(), before + PAGES / 10 * bytes.len());
         assert!(after < most, "{after} bytes, not {before}");
     }

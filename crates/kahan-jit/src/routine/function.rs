@@ -44,7 +44,7 @@ impl<T: Float> Function<T> {
         results
     }
 
-    /// Computes the results. For each number of the program, a slice holds a register of numbers.
+    /// Computes the results. Each state, constant or result is one register of numbers.
     ///
     /// # Panics
     /// If an array is too short.

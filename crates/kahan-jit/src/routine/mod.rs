@@ -18,10 +18,10 @@ use crate::{CompileError, Shape};
 
 /// The maximum number of instructions. Jumps and offsets of longer code might not fit.
 const MOST_INSTRUCTIONS: usize = 50_000;
-/// The maximum stack for slots in bytes, half of a thread's stack.
+/// The maximum stack for slots in bytes, half of the default stack of a thread.
 const MOST_STACK: usize = 1 << 20;
 
-/// Returns the memory operand of a location, and may first load the location's address.
+/// A function that returns the memory operand of a location; it may load the location's address.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, ValueLocation) -> Memory;
 
 struct Frame {

@@ -52,8 +52,8 @@ impl<T: Float> Orbit<T> {
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
         // SAFETY: for each result and each constant of the program, the code reads one register.
-        // The code writes only the results, to the last state if these are carried. Only
-        // `Code::orbit` and, for carried states, `Code::orbit_step` enter the code.
+        // The code writes only the results, to the last state if states stay in registers. Only
+        // `Code::orbit` and, if states stay in registers, `Code::orbit_step` enter the code.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends, round_bytes })
     }
@@ -72,8 +72,8 @@ impl<T: Float> Orbit<T> {
         self.code.orbit(state, constants, steps);
     }
 
-    /// Writes the state one step later to `next`. Code that carries states copies the state itself,
-    /// because a copy before the call would stall on recent stores.
+    /// Writes the state one step later to `next`. Code that keeps states in registers reads `state`
+    /// itself, because loads from a fresh copy would stall.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.
@@ -98,7 +98,7 @@ impl<T: Float> ComposedOrbit<T> {
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        // The fifth register holds the address of the next table entry.
+        // The fifth argument is 0; its register holds the address of the next table entry.
         let [states, table, stages, steps, entry] = GeneralRegister::ARGUMENTS;
         let [constants, left, _] = GeneralRegister::SPARE;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
@@ -131,7 +131,7 @@ impl<T: Float> ComposedOrbit<T> {
     }
 }
 
-/// Returns where states live between rounds, in registers if there are enough.
+/// Returns where states live between rounds: in registers if there are enough, otherwise in memory.
 fn ends(program: &Program, shape: Shape) -> ResultDestination {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
     if program.outputs.len() <= room { ResultDestination::Carried } else { ResultDestination::InPlace }

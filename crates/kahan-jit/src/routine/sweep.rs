@@ -1,4 +1,4 @@
-//! Code that iterates a program over columns of trajectories, one register after another.
+//! Code that iterates a program over columns of trajectories, one SIMD register at a time.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{RoundPlan, ValueLocation};
@@ -15,7 +15,7 @@ use super::Frame;
 pub enum Constants {
     /// All trajectories share one set of constants.
     Shared,
-    /// Each register of trajectories has its own set of constants.
+    /// Each SIMD register of trajectories has its own set of constants.
     Own,
 }
 
@@ -74,7 +74,7 @@ impl<T: Float> Sweep<T> {
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
 
-    /// Returns the number of trajectories per register, which must divide the length of columns.
+    /// Returns the number of trajectories per SIMD register, which must divide the columns' length.
     #[must_use]
     pub fn width(&self) -> usize {
         self.code.extent().width
@@ -88,7 +88,7 @@ impl<T: Float> Sweep<T> {
     }
 
     /// Advances all trajectories by `steps` rounds. Each constant fills a register of numbers. If
-    /// each register of trajectories has its own constants, the sets follow one another.
+    /// each SIMD register of trajectories has its own constants, the sets follow one another.
     ///
     /// # Panics
     /// If the columns differ in length, or the length is not a multiple of [`width`](Self::width).

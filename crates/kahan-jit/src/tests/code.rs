@@ -36,7 +36,6 @@ impl Tested for f64 {
 }
 
 fn numbers<T: Tested>(draw: &mut Draw, count: usize) -> Vec<T> {
-    // Special numbers are rare in most arrays; therefore most results are finite.
     let ordinary = if draw.below(3) == 0 { 55 } else { 5000 };
     (0..count).map(|_| T::of(draw.number(ordinary))).collect()
 }

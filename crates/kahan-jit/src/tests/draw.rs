@@ -84,7 +84,6 @@ pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, o
         push(&mut program, instruction);
     }
     let known = program.operations.len();
-    // Sometimes a result is a state, a constant, or a value that another operation uses, too.
     let result = |draw: &mut Draw| match draw.below(8) {
         0 => Node(draw.below(states + constants + 2)),
         _ => Node(known - 1 - draw.below(known.min(2 * states + 4))),

@@ -2,7 +2,7 @@
 
 use super::Assembler;
 
-/// A general-purpose register, by number. Number 31 is the stack pointer in addresses, else zero.
+/// A general-purpose register. Number 31 is the stack pointer in addresses, elsewhere zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct GeneralRegister(u8);
 
@@ -85,8 +85,8 @@ impl Assembler {
         self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
     }
 
-    /// Loads or stores `size` bytes at base + offset. Of `words`, the first encodes a 12-bit offset
-    /// in units of `size` bytes, and the second a register that holds the offset.
+    /// Loads or stores `size` bytes at base + offset. The first of `words` encodes the offset as a
+    /// 12-bit multiple of `size`, and the second as a register.
     pub(super) fn access(
         &mut self,
         words: [u32; 2],
@@ -177,7 +177,6 @@ impl Assembler {
         Label(self.bytes.len())
     }
 
-    /// Returns the number of bytes from `place` to here.
     pub(crate) fn bytes_since(&self, Label(place): Label) -> usize {
         self.bytes.len() - place
     }

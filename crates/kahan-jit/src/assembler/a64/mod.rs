@@ -3,7 +3,7 @@
 //! The assembler writes A64 instructions on scalar floats and 128-bit Advanced SIMD registers (Arm
 //! Architecture Reference Manual for A-profile, C6 and C7). Functions follow the C calling
 //! convention (Procedure Call Standard for the Arm 64-bit Architecture) and preserve the lower
-//! halves of v8 to v15. Functions never use x18, which some systems reserve.
+//! halves of v8 to v15. Functions never use x18, which some operating systems reserve.
 
 mod general;
 #[cfg(test)]
@@ -57,7 +57,7 @@ impl Assembler {
 
     /// Begins a function, which saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &FrameNeeds) {
-        /// The most bytes that one machine instruction takes, including its pool entry.
+        /// The most bytes of one allocated instruction: twelve words, and a constant of 16 bytes.
         const LONGEST: usize = 12 * 4 + 16;
 
         self.is_long = needs.instructions >= REACH / LONGEST - PAGE / 4;
@@ -117,7 +117,7 @@ impl Assembler {
         }
     }
 
-    /// Computes to = a ∘ b.
+    /// Writes to = a ∘ b for the operator ∘.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let words = match operator {
             Binary::Add => [0x1e20_2800, 0x4e20_d400],
@@ -135,7 +135,7 @@ impl Assembler {
         self.three(words, to, a, b);
     }
 
-    /// Computes to = a if a > b (or a < b), else b, also for NaN and ±0.
+    /// Writes to = a if a > b (if `greater`) or a < b (if not), else to = b; also for NaN and ±0.
     fn choose(&mut self, greater: bool, to: Vector, a: Vector, b: Vector) {
         const GREATER: u32 = 12;
         const LESS: u32 = 4;
@@ -147,7 +147,7 @@ impl Assembler {
             let select = 0x1e20_0c00 | self.precision() | condition << 12;
             return self.word(select | number(b) << 16 | number(a) << 5 | number(to));
         }
-        // fcmgt mask, larger, smaller.
+        // The instruction fcmgt sets the mask in the lanes where larger > smaller.
         let mask = if to == a || to == b { TEMPORARY } else { to };
         let (larger, smaller) = if greater { (a, b) } else { (b, a) };
         self.three([0, 0x6ea0_e400], mask, larger, smaller);
@@ -219,7 +219,7 @@ impl Assembler {
     }
 
     fn transfer(&mut self, is_load: bool, register: Vector, place: Memory) {
-        // The offset is an immediate, a register, or a distance from the program counter.
+        // The words take an immediate offset, a register, and an offset from the program counter.
         let words = match (self.form.width, self.form.element) {
             (Width::Scalar, Element::Single) => [0xbd00_0000, 0xbc20_6800, 0x1c00_0000],
             (Width::Scalar, Element::Double) => [0xfd00_0000, 0xfc20_6800, 0x5c00_0000],
@@ -292,7 +292,7 @@ impl SavedRegisters {
         SavedRegisters { vectors, uses_pointers, has_frame: needs.stack > 0 || vectors > 0 || uses_pointers }
     }
 
-    /// Returns the bytes that the saved registers and the frame record take, 0 if nothing is saved.
+    /// Returns the size in bytes of saved registers and frame record; 0 if nothing is saved.
     fn bytes(self) -> u32 {
         let pointers = if self.uses_pointers { GeneralRegister::SAVED.len() as u32 } else { 0 };
         if self.has_frame { 16 * (1 + self.vectors) + 8 * pointers } else { 0 }

@@ -17,7 +17,7 @@ pub(super) struct Opcode {
     /// Vector length: 0 for 128 bits, 1 for 256 bits, 2 for 512 bits.
     length: u8,
     opcode: u8,
-    /// The mandatory prefix and the opcode in EVEX, if these differ from VEX.
+    /// The mandatory prefix and the opcode in EVEX, if these differ from those in VEX.
     other: Option<(u8, u8)>,
 }
 
@@ -66,7 +66,7 @@ fn inverted(number: u8, k: u8) -> u8 {
 
 impl Assembler {
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // The high bits of a register, or of an index and a base.
+        // ModRM and SIB lack room for these bits of a register number, or of an index and a base.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -100,9 +100,9 @@ impl Assembler {
         self.operands(to.0, b, !is_evex);
     }
 
-    /// Writes ModRM, SIB and offset. EVEX scales 8-bit offsets; therefore all offsets take 4 bytes.
+    /// Writes ModRM, SIB and the offset, of 4 bytes in EVEX, because EVEX scales short offsets.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
-        /// Codes of ModRM for the base: a SIB byte follows, or the base is the program counter.
+        /// In the base field of ModRM, 4 announces a SIB byte, and 5 is the program counter.
         const MORE: u8 = 4;
         const BEHIND_THE_CODE: u8 = 5;
 
@@ -124,7 +124,7 @@ impl Assembler {
             }
             Source::Memory(Memory::Indexed { base, index }) => {
                 assert!(index != GeneralRegister::Rsp, "this register is no index");
-                // Some bases require an explicit offset of 0.
+                // An offset of 0 is written, because some bases require an explicit offset.
                 let index = (index as u8 & 7) << 3;
                 if may_be_short {
                     self.bytes.extend([0x40 | register | MORE, index | base as u8 & 7, 0]);

@@ -53,7 +53,7 @@ pub(crate) struct Label(usize);
 pub(crate) struct ForwardJump(usize);
 
 impl Assembler {
-    /// Writes an instruction on two 64-bit registers. `register` may instead extend the opcode.
+    /// Writes an instruction on two 64-bit registers, or on one if `register` extends the opcode.
     fn on_registers(&mut self, opcode: u8, register: u8, other: GeneralRegister) {
         let other = other as u8;
         let prefix = 0x48 | register >> 3 << 2 | other >> 3;
@@ -131,7 +131,6 @@ impl Assembler {
         Label(self.bytes.len())
     }
 
-    /// Returns the number of bytes from `place` to here.
     pub(crate) fn bytes_since(&self, Label(place): Label) -> usize {
         self.bytes.len() - place
     }

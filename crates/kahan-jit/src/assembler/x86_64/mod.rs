@@ -76,7 +76,7 @@ impl Assembler {
         self.ret();
     }
 
-    /// Computes to = a ∘ b. A scalar sign flip also changes the upper lanes.
+    /// Writes to = a ∘ b for the operator ∘. A scalar sign flip also changes the upper lanes.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,

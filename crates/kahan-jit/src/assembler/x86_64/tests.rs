@@ -48,7 +48,6 @@ const GENERAL: [(GeneralRegister, Register); 16] = [
 /// Offsets whose encodings take zero, one or four bytes.
 const OFFSETS: [i32; 9] = [0, 1, -1, 127, -128, 128, -129, 0x1234_5678, i32::MIN];
 
-/// Decodes code that consists of exactly one instruction.
 fn decoded(write: impl FnOnce(&mut Assembler), form: OperandForm) -> Instruction {
     let mut assembler = Assembler::new(form);
     write(&mut assembler);
@@ -238,7 +237,7 @@ fn all(bytes: &[u8]) -> Vec<Instruction> {
 #[test]
 fn numbers_are_rounded_to_single_precision_and_taken_back() {
     for form in FORMS.into_iter().filter(|form| form.element == Element::Double) {
-        // Single-precision numbers fill half the width. The shortest register has 128 bits.
+        // Single-precision numbers fill half of the register. The shortest register has 128 bits.
         let half = match form.width {
             Width::Bits512 => Width::Bits256,
             _ => Width::Bits128,
@@ -336,7 +335,7 @@ fn a_set_of_instructions_is_available_where_all_of_them_are() {
 fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     for form in FORMS {
         let mut assembler = Assembler::new(form);
-        // The third constant shares its halves with the other constants.
+        // Each half of the third constant is a half of another constant.
         let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x8000_0000_3f80_0000];
         for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
             let entry = assembler.constant(bits);
@@ -355,7 +354,7 @@ fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     }
 }
 
-/// Aligned operands of a whole register require this, for code of every length.
+/// Operands that fill a register must be aligned, so the pool begins with a cache line.
 #[test]
 fn the_pool_begins_with_a_cache_line() {
     for length in 0..=130 {
@@ -380,7 +379,6 @@ fn offsets_are_as_short_as_they_can_be() {
     };
     for offset in OFFSETS {
         let short = i8::try_from(offset).is_ok();
-        // The prefix takes two or four bytes; the opcode and the operands follow.
         assert_eq!(length(offset, 3), 4 + if short { 1 } else { 4 }, "{offset}");
         assert_eq!(length(offset, 19), 6 + 4, "{offset}");
     }

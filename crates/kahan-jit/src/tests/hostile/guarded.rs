@@ -31,8 +31,8 @@ impl<T: num_traits::Float> Guarded<T> {
         let used = len * size_of::<T>();
         let inner = used.next_multiple_of(PAGE);
         let bytes = inner + 2 * PAGE;
-        // SAFETY: the system chooses unused addresses. The inner pages hold the numbers, which are
-        // initially zero and aligned at both ends.
+        // SAFETY: the operating system chooses unused addresses. The inner pages hold the numbers,
+        // which are initially zero and aligned at both ends.
         unsafe {
             let flags = MapFlags::PRIVATE | MapFlags::NORESERVE;
             let pages = mmap_anonymous(ptr::null_mut(), bytes, ProtFlags::empty(), flags);
@@ -74,7 +74,7 @@ impl<T> AsMut<[T]> for Guarded<T> {
 
 impl<T> Drop for Guarded<T> {
     fn drop(&mut self) {
-        // SAFETY: the pages belong to `self`, and no slice borrows them any more.
+        // SAFETY: `self` owns the pages, and no slice borrows them any more.
         unsafe { munmap(self.pages.as_ptr(), self.bytes) }.expect("own pages");
     }
 }

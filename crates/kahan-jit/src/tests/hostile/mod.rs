@@ -50,7 +50,7 @@ pub(crate) struct Case {
     is_ordinary: bool,
 }
 
-/// Random bytes, from which choices are drawn, followed by zeros.
+/// Random bytes, from which choices are drawn. After the last byte, zeros are drawn.
 #[derive(Clone, Copy)]
 struct Source<'a>(&'a [u8]);
 
@@ -197,7 +197,7 @@ impl Case {
         }
     }
 
-    /// Returns `count` numbers. In very long arrays, inner numbers are zero.
+    /// Returns `count` numbers, of which only the first and the last thousand can be nonzero.
     fn numbers<T: num_traits::Float>(&self, draw: &mut Draw, count: usize) -> Guarded<T> {
         const FEW: usize = 1000;
 

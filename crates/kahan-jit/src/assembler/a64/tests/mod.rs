@@ -24,6 +24,8 @@ type Written<'a> = (OperandForm, &'a dyn Fn(&mut Assembler), &'a [u32]);
 /// The stack bytes, pointer use and vector registers of a function, and its expected words.
 type Frame<'a> = ((usize, bool, u8), &'a [u32]);
 
+/// Returns a register by its index in [`Vector`]: 8 to 21 stand for v16 to v29, and 22 to 29 for
+/// v8 to v15.
 fn v(register: u8) -> Vector {
     Vector(register)
 }
@@ -220,7 +222,7 @@ fn long_code_finds_its_numbers_by_their_page() {
     }
 }
 
-/// Some systems keep a thread's data in x18.
+/// Some operating systems keep a thread's data in x18, so code must not use this register.
 #[test]
 fn no_register_of_a_system_is_named() {
     let all =
