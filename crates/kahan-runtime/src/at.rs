@@ -90,9 +90,9 @@ impl<T: RuntimeFloat> MapAt<T> {
         MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
 
-    /// Returns the map whose steps have the bits of ensembles at an instruction-set level. Levels
-    /// above [`Level::Baseline`], the default, fuse multiply-adds. Returns `None` if the processor
-    /// lacks the level, or if the step has no machine code.
+    /// Returns the map whose steps equal those of ensembles at an instruction-set level, bit for
+    /// bit. Levels above [`Level::Baseline`], the default, fuse multiply-adds. Returns `None` if
+    /// the processor lacks the level, or if the step has no machine code.
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
         let (set, fuses) = match level {
@@ -218,7 +218,7 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
-/// Steps have the bits of [`advance`](MapAt::advance). A state of another length causes a panic.
+/// Steps equal those of [`advance`](MapAt::advance). A state of another length causes a panic.
 impl<T: RuntimeFloat> Step for MapAt<T> {
     type Scalar = T;
     type State = Vec<T>;

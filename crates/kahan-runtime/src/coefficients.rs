@@ -32,7 +32,7 @@ pub struct Coefficients {
 /// [`BITS`] bits each. Keys are ordered like the terms of a polynomial.
 type TermKey = u64;
 
-/// The number of bits of an index in a packed monomial; indices need at most 16.
+/// The number of bits of an index in a packed monomial; actual indices have at most 16 bits.
 const BITS: u32 = 20;
 /// The index that stands for an absent state or parameter.
 const NONE: TermKey = (1 << BITS) - 1;
@@ -55,7 +55,7 @@ pub enum CoefficientError {
     OutOfRange {
         /// The kind of the index: `"component"`, `"state"` or `"parameter"`.
         what: &'static str,
-        /// The index, from 0 on.
+        /// The index, counted from 0.
         index: usize,
         /// The number of components, states or parameters.
         count: usize,
@@ -159,7 +159,7 @@ impl Coefficients {
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // In a symmetric array, two equal halves make one coefficient.
+            // If Q is symmetric, the equal entries for xⱼxₖ and xₖxⱼ make one coefficient.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };

@@ -21,7 +21,7 @@ pub enum End {
 }
 
 impl End {
-    /// Returns the name of the end in results.
+    /// Returns the name of this reason, as results contain it.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

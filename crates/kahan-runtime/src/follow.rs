@@ -24,8 +24,8 @@ pub struct Followed<R> {
 /// Follows an orbit from `x` while its points are finite.
 ///
 /// All methods replace `x` by the last finite point, so that the next call continues from there.
-/// Points have the bits of single calls of [`Step::advance`]. A run from a nonfinite start makes no
-/// step and ends with [`End::Range`]`(0)`.
+/// Points equal those of single calls of [`Step::advance`] bit for bit. A run from a nonfinite
+/// start makes no step and ends with [`End::Range`]`(0)`.
 ///
 /// The `watch` receives the number of steps since its last call, and may stop the run by
 /// [`ControlFlow::Break`]. Calls come every 4096 steps in up to eight variables, more often in more

@@ -105,7 +105,7 @@ impl<V: Scalar> Calls<Reciprocal> for Scalars<V> {
 }
 
 impl Line {
-    /// Prepares a plan whose inputs are states, parameters and ε; divisions become quotients.
+    /// Prepares a plan whose inputs are states, parameters and ε.
     pub(crate) fn of(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }

@@ -120,7 +120,7 @@ where
     let same = |a: &T, b: &T| a == b || (a.clone() != *a && b.clone() != *b);
     for (x, eps) in samples::<T, N>(40) {
         let (left, right) = (compiled.at(eps.clone()), interpreted.at(eps.clone()));
-        // In more variables generated code solves differently, so the last bits differ.
+        // Beyond eight variables, generated code solves differently, so the last bits differ.
         if N <= 8 {
             assert_eq!(left.try_step(&x).ok(), right.try_step(&x).ok());
         }

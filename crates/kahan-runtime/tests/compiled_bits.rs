@@ -109,7 +109,7 @@ fn long_constants_are_rounded_once_for_each_scalar() {
     agree::<_, BigRational, 2>("long constants", &compiled, &exact);
 }
 
-/// Returns a field in seven variables, so dense that its step eliminates.
+/// Returns a field in seven variables, so dense that its step uses elimination.
 fn beyond_the_budget() -> String {
     let names = ["a", "b", "c", "d", "e", "f", "g"];
     let equation = |i: usize| {

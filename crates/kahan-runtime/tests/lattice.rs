@@ -117,7 +117,7 @@ fn chains_have_the_bits_of_the_macro() {
     }
 }
 
-/// The column of site 1 has its only entry in the row of the separator.
+/// Site 1 makes its segment's matrix singular: its column has only an entry in the separator's row.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (300, 0.125);

@@ -97,7 +97,7 @@ fn a_step_allocates_nothing() {
     assert_eq!(allocation_counter::measure(|| go(10..50)).count_total, 0);
 }
 
-/// Wrappers, such as `Compensated`, have the bits of the map's own methods.
+/// Wrapped maps, such as `Compensated`, compute the same bits as the map's own methods.
 #[test]
 fn modes_are_maps_of_their_own() {
     let (_, map) = lorenz();

@@ -22,7 +22,7 @@ impl<T: MachineFloat> MapAt<T> {
     ///
     /// `eps` holds one ε for each trajectory, or one for all; an empty `eps` stands for the map's
     /// own ε. `parameters` holds one list of the same form for each parameter, or is empty. Each
-    /// trajectory has the bits of an ensemble at its ε and parameters.
+    /// trajectory equals that of an ensemble at its ε and parameters.
     ///
     /// A trajectory becomes NaN if the field divides by zero at its parameters.
     ///
@@ -114,8 +114,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// Advances many trajectories as [`advance_columns`](Self::advance_columns) does, and returns
     /// how each ended. A trajectory that ended early becomes NaN in the columns.
     ///
-    /// Bits and ends are those of single orbits. Cost: the steps, and up to two thousand further
-    /// steps for each trajectory that leaves the range of floats.
+    /// Points and ends equal those of single orbits, bit for bit. Cost: the steps, and up to two
+    /// thousand further steps for each trajectory that leaves the range of floats.
     ///
     /// # Errors
     /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
@@ -226,7 +226,7 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time, for ε so near zero that the step has another formula.
+    /// Follows trajectories one at a time; `eps` contains an ε that is too near 0 to divide by.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],

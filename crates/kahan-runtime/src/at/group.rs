@@ -50,7 +50,6 @@ impl<T: Copy> Clone for RuntimeGroup<T> {
     #[inline]
     fn clone_from(&mut self, other: &Self) {
         self.variables = other.variables;
-        // A group has constant length, so each copy compiles to a few instructions.
         self.as_mut().iter_mut().zip(other.as_ref()).for_each(|(own, other)| *own = *other);
     }
 }

@@ -1,7 +1,7 @@
 //! Observation of many orbits, in SIMD lanes if machine code exists.
 //!
 //! In: one map for all orbits or one for each, first points, and observers. Out: reports. Points
-//! and reports have the bits of single orbits.
+//! and reports equal those of single orbits bit for bit.
 
 use core::array::from_fn;
 use core::cell::Cell;
@@ -22,7 +22,7 @@ impl<T: MachineFloat> MapAt<T> {
     ///
     /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each.
     /// `observers` makes the observers of the orbit with a given index. Observers see the first
-    /// point as step 0. Points and reports have the bits of single orbits.
+    /// point as step 0. Points and reports equal those of single orbits.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
@@ -63,7 +63,7 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits in groups; the default code observes if `has_observed` returns `false`.
+    /// Observes orbits in groups. If `has_observed` is `false`, the default loop observes a group.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -162,8 +162,8 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code(Self::coded_group(maps)?, first.set, Vec::new())
     }
 
-    /// Returns machine code that steps orbits with their tangent vectors. `carried` is the number
-    /// of vectors, and whether the squared lengths of the vectors come last.
+    /// Returns machine code that steps orbits with their tangent vectors. `carried` holds the
+    /// number of vectors, and whether their squared lengths follow them.
     pub(crate) fn group_code_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),

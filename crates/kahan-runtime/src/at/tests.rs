@@ -43,7 +43,6 @@ where
 {
     fn advance(&mut self, steps: u64) {
         if let Some(further) = steps.checked_sub(1)
-            // Orbits over floats are infinite.
             && let Some(point) = self.orbit.nth(usize::try_from(further).unwrap_or(usize::MAX))
         {
             self.point = point;
@@ -204,7 +203,7 @@ fn the_catalog_by_code_is_the_catalog_compiled() {
     agree("e9", &["0.1"], &E9 { xi: big("0.1") });
 }
 
-/// A sum that rounds to the largest float may still overflow because of its low parts.
+/// A sum near the largest float overflows if its low parts reach half a unit in the last place.
 #[test]
 fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     let map = Field::parse("xdot = y; ydot = 0;").expect("a field").map().expect("no parameters");
@@ -273,7 +272,8 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
 }
 
 /// Returns a random field of n variables, in which x1 stays 0 if it begins there. Each product of
-/// two variables occurs with a probability of `percent` %. Coefficients are multiples of `unit`.
+/// two variables occurs with a probability of `percent` %. Coefficients are multiples of `unit`,
+/// and constant terms also of `p`.
 fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}*{unit}", below(255, random) as i64 - 127);
     let component = |i: usize| {

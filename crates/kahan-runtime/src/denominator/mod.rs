@@ -28,7 +28,7 @@ pub(crate) struct Denominator {
 struct Term {
     power: usize,
     coefficient: f64,
-    /// The states of the product; a state with exponent k occurs k times.
+    /// The indices of the states that are multiplied; a state with exponent k occurs k times.
     factors: Vec<usize>,
 }
 
@@ -98,8 +98,8 @@ impl Denominator {
                 sizes += size;
             }
         }
-        // Rounding errors: at most nine for each term, one for each addition, and about two hundred
-        // for the Bernstein form. `EPSILON` is twice the error of one rounding.
+        // There are at most nine rounding errors for each term, one for each addition, and about
+        // two hundred for the Bernstein form. `EPSILON` is twice the error of one rounding.
         let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
         if sizes < TINY {
             return None;

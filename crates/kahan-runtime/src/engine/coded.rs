@@ -24,7 +24,7 @@ pub(super) const GUARDED: u64 = 64;
 /// The code of an orbit, compiled at first use; `Some(None)` after a failed compilation.
 type OrbitCodeCell<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
-/// The stages of a step as code. Each distinct stage has constants; the middle stage is last.
+/// The stages of a step as code, with constants for each distinct stage; the middle stage is last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T: RuntimeFloat> {
     /// The code for plain states, then the code for states with rounding errors.
@@ -40,7 +40,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         CodedStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages, if all steps in `all` have this number and this kind.
+    /// Returns the number of distinct stages, if it is equal for `all` and the kinds are equal.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
@@ -55,7 +55,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         self.codes[0].get()?.as_deref()
     }
 
-    /// Advances columns by the loops of a dense field; `alone` repeats rejected steps.
+    /// Advances columns by the loops of a dense field, which call `alone` to repeat rejected steps.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T::Word]],

@@ -175,7 +175,7 @@ struct Prepared<'a, T> {
 }
 
 impl<T: MachineFloat> Prepared<'_, T> {
-    /// Prepares the constants of some registers of trajectories, from trajectory `first` on.
+    /// Prepares the constants of some SIMD registers of trajectories, from trajectory `first` on.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

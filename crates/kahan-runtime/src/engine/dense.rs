@@ -122,7 +122,7 @@ fn is_negative_zero<T: MachineFloat>(x: &T) -> bool {
     x.is_zero() && (T::one() / *x).approximate() < 0.0
 }
 
-/// Advances columns by steps of a dense field, one register of trajectories at a time. `alone`
+/// Advances columns by steps of a dense field, one SIMD register of trajectories at a time. `alone`
 /// repeats the steps of a trajectory that the loops reject.
 pub(crate) fn advance_columns<T: MachineFloat>(
     kind: StepKind,

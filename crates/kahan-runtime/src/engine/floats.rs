@@ -62,7 +62,7 @@ type EightLanes<T> = RegisterPair<RegisterPair<RegisterPair<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
-    /// Several states as one scalar.
+    /// A scalar that holds the states of several orbits in SIMD lanes.
     #[doc(hidden)]
     type GroupCode: Lanes<Self>;
 

@@ -66,7 +66,7 @@ impl Engine {
         }))
     }
 
-    /// Returns code that writes the integrals of each orbit after its point.
+    /// Returns code that writes the integrals of each orbit after the coordinates of its point.
     pub(crate) fn group_code_of_integrals<T: MachineFloat>(
         &self,
         constants: [&[T]; GROUP],

@@ -269,8 +269,8 @@ impl Engine {
         }
     }
 
-    /// Evaluates an object at a state; `constants` are the parameters and ε. A missing object
-    /// leaves `out` unchanged.
+    /// Evaluates an object at a state; `constants` are the parameters and ε. If the field lacks the
+    /// object, `out` stays unchanged.
     pub(crate) fn evaluate<T: RuntimeFloat>(
         &self,
         object: Object,

@@ -56,9 +56,9 @@ impl Steps {
 
 #[derive(Debug)]
 pub(crate) struct Step {
-    /// The program that computes the constants of the step; `None` for a step that eliminates.
+    /// The program that computes the constants of the step; `None` for a step by elimination.
     prepared: Option<Line>,
-    /// The programs that read the state: the kernel of the step, or f′ and the field.
+    /// The programs that read the state: that of the step, or those of f′ and of the field.
     lines: Vec<Line>,
     couplings: Option<EliminationPattern>,
     /// For each component, the indices of the increment's numerator and reciprocal in the results.

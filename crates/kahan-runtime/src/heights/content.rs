@@ -49,7 +49,7 @@ pub(crate) struct ContentPredictor {
     behind: VecDeque<UBig>,
     /// The number of steps back to the γ that predicts a content; `None` while unknown.
     lag: Option<usize>,
-    /// The number of long steps without prediction: now, and after the next failure.
+    /// The number of further long steps without prediction.
     pause: u32,
     next_pause: u32,
     was_predicted: bool,
@@ -95,7 +95,7 @@ impl ContentPredictor {
         }
     }
 
-    /// Finds the lag at which γ shares more than half of the digits of the content.
+    /// Finds the lag at which gcd(γ, content) has more than half of the digits of the content.
     fn find_lag(&mut self, content: &UBig) {
         let shares = self.behind.iter().map(|gamma| short_gcd(content, gamma).bit_len()).enumerate();
         let best = shares.max_by_key(|&(lag, share)| (share, std::cmp::Reverse(lag)));
@@ -151,7 +151,7 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     None
 }
 
-/// Returns the quotients of the coordinates by a divisor; otherwise a nonzero remainder.
+/// Returns the quotients of the coordinates by a divisor, or a nonzero remainder if there is one.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
         let halves = in_halves(point, |half| quotients_in_turn(half, divisor));

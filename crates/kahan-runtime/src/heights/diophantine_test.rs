@@ -44,7 +44,7 @@ impl DiophantineTest {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // The bound on digits does not depend on the machine, so it is tested before the time.
+            // The bound on digits comes first, because it does not depend on the machine.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.check_expected_digits().is_ok();
             if step > 0 && (is_late || !goes_on) {

@@ -2,9 +2,9 @@
 
 use dashu_int::IBig;
 
-/// Solves M x = r for the rows of the n×(n+1) matrix (M | r). Returns X₁ … X_n and W = ± det M with
-/// xᵢ = Xᵢ/W, or zeros if det M = 0. Intermediate numbers have at most n times the digits of an
-/// entry.
+/// Solves M x = r, where `rows` are the rows of the n×(n+1) matrix (M | r). Returns X₁ … X_n and W
+/// = ± det M with xᵢ = Xᵢ/W, or zeros if det M = 0. Intermediate numbers have at most n times the
+/// digits of an entry.
 pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
     let n = rows.len();
     let mut last_pivot = IBig::ONE;
@@ -25,7 +25,7 @@ pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
                 }
                 *entry = (&*entry * pivot - &factor * above) / &last_pivot;
             }
-            // In rows above the diagonal, the entries in earlier columns become this pivot.
+            // In rows above, Bareiss's algorithm sets the diagonal entry to this pivot.
             if i < k {
                 row[i] = pivot.clone();
             }
@@ -54,7 +54,7 @@ mod tests {
             let left: IBig = row.iter().zip(x).map(|(a, x)| a * x).sum();
             assert_eq!(left, &row[3] * weight);
         }
-        // The determinant, computed by hand, is 6.
+        // The determinant, computed by hand, is 6; `weight` may have the other sign.
         assert_eq!(weight * weight, IBig::from(36));
     }
 

@@ -13,9 +13,9 @@ use std::fmt;
 /// For 4 ≤ N < 8, the class is otherwise *exponential* if each of the last three ratios h_n/h_{n−1}
 /// is at least 1.5. The ratios must agree within 5 %.
 ///
-/// For N ≥ 8, take the means of the last four quarters of ⌊N/4⌋ heights. Let d₁, d₂, d₃ be the
-/// first differences of these means, and s₁, s₂ the second differences. If d₁, d₂, d₃ > 0, the
-/// first true row gives the class:
+/// For N ≥ 8, divide the last heights into four groups of ⌊N/4⌋, and take the mean of each group.
+/// Let d₁, d₂, d₃ be the first differences of these means, and s₁, s₂ the second differences. If
+/// d₁, d₂, d₃ > 0, the first true row gives the class:
 ///
 /// | class | condition |
 /// |---|---|

@@ -32,7 +32,7 @@ use super::report::{Heights, Stop};
 #[derive(Clone, Debug)]
 pub struct HeightsOrbit {
     map: ProjectiveMap,
-    /// The current point, then gcd(Xᵢ, W) for each coordinate Xᵢ, then the previous point.
+    /// The current point. `factors` holds gcd(Xᵢ, W) for each Xᵢ, and `before` the previous point.
     point: Vec<IBig>,
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,
@@ -43,7 +43,7 @@ pub struct HeightsOrbit {
     bits: PointBits,
 }
 
-/// The numbers of bits of the previous and of the current point; 0 before the second point.
+/// The numbers of bits of the previous and of the current point, both 0 before the second point.
 #[derive(Clone, Copy, Debug, Default)]
 struct PointBits {
     before: usize,
@@ -191,8 +191,8 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
-        // Let X/W be in lowest terms and σ = s/t. Then numerator and denominator of σX/W share the
-        // factor gcd(s, W)·gcd(t, X).
+        // Let X/W be in lowest terms and σ = s/t. Then gcd(s, W)·gcd(t, X) divides numerator and
+        // denominator of σX/W = sX/(tW).
         let lost = short_gcd(&above, &weight) * short_gcd(&below, &x);
         let larger = (&above * x).max(&below * weight) / lost;
         let logarithm = natural_logarithm(&larger);

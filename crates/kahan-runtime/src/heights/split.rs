@@ -1,4 +1,4 @@
-//! A faster step from points at which some coordinates share most of their digits with W.
+//! A faster step from points at which gcd(Xᵢ, W) has most of the digits of some coordinates Xᵢ.
 //!
 //! For dE7, for example, x is a fraction of four digits while z has ten thousand. Then Xᵢ and W
 //! have a long common factor g: Xᵢ = g aᵢ, W = g b with short aᵢ and b. A form N in all coordinates
@@ -22,7 +22,7 @@ const LONG: usize = 1 << 12;
 #[derive(Clone, Debug)]
 pub(crate) struct Splits {
     forms: Vec<Polynomial>,
-    /// The last split; orbits seldom change the split.
+    /// The split that was used last, which usually applies to the next point, too.
     last: Option<Split>,
 }
 
@@ -84,7 +84,7 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        // Divides the terms N₀ by g; the other terms Nⱼ count as remainders.
+        // Only the terms N₀ are divided by g; any other Nⱼ becomes a remainder unchanged.
         let divisor = IBig::from(g.clone());
         let divided =
             |(part, &j): (IBig, &usize)| if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) };

@@ -62,7 +62,7 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
         registers[..self.kept.len()].clone_from_slice(&self.kept);
         let results = kernel.run(registers, x.as_slice())?;
         let quotient = |i: usize| step.quotients.get(i).copied();
-        // A step read at run time may have several reciprocals.
+        // The components may have different denominators, with one reciprocal for each.
         Some(Quotients::over_several(
             from_fn(|i| quotient(i).map_or_else(T::zero, |(numerator, _)| results.get(numerator))),
             from_fn(|i| Some(results.get(quotient(i)?.1?))),

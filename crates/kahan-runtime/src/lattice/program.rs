@@ -11,14 +11,14 @@ use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
-/// The number of sites for one decoded instruction; a multiple of the lanes of all instruction
-/// sets.
+/// The number of sites for which each decoded instruction is run, a multiple of the lanes of all
+/// instruction sets.
 const ROOM: usize = 128;
 
 #[derive(Debug)]
 pub(super) struct Program {
     instructions: Vec<Instruction>,
-    /// The number of results, which alone occupy the first registers.
+    /// The number of results. The first registers hold only results.
     results: usize,
     registers: usize,
     /// The number of arrays in a site.
@@ -124,7 +124,6 @@ impl Program {
             });
             program.put(kind, to, operation.operands().map(|operand| values[operand.0]));
             values.push(Operand::Register(to));
-            // Frees registers after their last use. Both operands may be in one register.
             for operand in operation.operands().filter(|operand| last_use[operand.0] == k) {
                 if let Operand::Register(register) = values[operand.0]
                     && register >= results
@@ -139,7 +138,7 @@ impl Program {
                 program.put(Kind::Copy, place, [values[node.0]].into_iter());
             }
         }
-        // Constants come after all registers; the number of registers is known only now.
+        // Operands get their positions only now, because constants come after all registers.
         for k in 0..program.instructions.len() {
             program.instructions[k].places =
                 program.instructions[k].operands.map(|operand| program.place(operand));

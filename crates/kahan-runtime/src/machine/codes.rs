@@ -72,13 +72,13 @@ pub(crate) struct OrbitCode<T> {
 enum StepCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
-    /// Loops of a dense field, which were compiled with this crate.
+    /// Loops over the coefficients of a dense field, which are written in Rust.
     Loops(StepKind),
 }
 
 #[derive(Debug)]
 pub(crate) struct ColumnsCode<T> {
-    /// The code that computes the constants of a step for one register of trajectories.
+    /// The code that computes the constants of a step for one SIMD register of trajectories.
     constants: Function<T>,
     shared: Sweep<T>,
     own: Sweep<T>,
@@ -86,14 +86,14 @@ pub(crate) struct ColumnsCode<T> {
 }
 
 impl Codes {
-    /// Returns the number of operations of a step that eliminates; `None` for other steps.
+    /// Returns the number of operations of a step by elimination; `None` for other steps.
     pub(super) fn operations(&self, engine: &Engine) -> Option<u32> {
         *self
             .operations
             .get_or_init(|| Some(engine.derived.couplings()?.cost(engine.derived.field()).operations))
     }
 
-    /// Counts further steps, and returns whether compiling pays; always for a straight-line step.
+    /// Counts steps, and returns whether compiling pays, as it always does without elimination.
     pub(crate) fn is_worth_compiling(&self, steps: u64, engine: &Engine) -> bool {
         let Some(operations) = self.operations(engine) else { return true };
         let needed = STEPS_BEFORE_CODE + u64::from(operations) / OPERATIONS_A_STEP;
@@ -124,8 +124,8 @@ impl Codes {
         })
     }
 
-    /// Returns the code of points in lanes, each with its own constants; `None` if compilation
-    /// fails.
+    /// Returns code for a group of points, one in each SIMD lane with its own constants; `None` if
+    /// compilation fails.
     pub(crate) fn group_code<T: MachineFloat>(
         &self,
         engine: &Engine,

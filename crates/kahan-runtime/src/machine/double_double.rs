@@ -2,8 +2,8 @@
 //! has the operations of [`Dd`](kahan_core::Dd) in their order.
 //!
 //! The program does not branch. Some operations are correct only far from overflow and underflow. A
-//! guard, a number that begins at 0, becomes NaN after the first operation on other sizes. If the
-//! guard is not 0, the interpreter repeats the steps.
+//! guard, a number that begins at 0, becomes NaN after the first operation on numbers that are too
+//! large or too small. If the guard is not 0, the interpreter repeats the steps.
 
 use core::ops::Neg;
 use std::cell::RefCell;
@@ -144,7 +144,7 @@ impl Pair {
         let reciprocal = Double::number(1.0) / divisor.high;
         note_moderate(divisor.high, reciprocal);
         let is_ordinary = self.high.literal().is_some_and(|value| {
-            // The range leaves room for a further division of the quotient.
+            // A quotient of such a number is far from overflow, and may be divided again.
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {

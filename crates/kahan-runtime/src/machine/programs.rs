@@ -48,7 +48,7 @@ impl StepKind {
         }
     }
 
-    /// Returns the program of a step that eliminates. The last result is at most
+    /// Returns the program of a step by elimination. The last result is at most
     /// [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) while all pivots are accepted and
     /// all numbers are finite.
     fn eliminating<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
@@ -84,7 +84,7 @@ impl StepKind {
         })
     }
 
-    /// Returns whether a step that eliminates can be compiled. Double-double, and more than
+    /// Returns whether a step by elimination can be compiled. Double-double, and more than
     /// [`MOST_OPERATIONS`] operations, prevent this.
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
@@ -130,7 +130,7 @@ impl TangentKind {
             };
             let mut squares = Vec::new();
             for k in 1..=self.vectors {
-                // All vectors belong to one point; common subexpressions are compiled once.
+                // All vectors start at one point, so that common subexpressions are compiled once.
                 let v = Traced::states(k * n..(k + 1) * n);
                 let carried = if self.is_variational {
                     let mut next = self.kind.next(step, [&x[..], &v].concat())?;

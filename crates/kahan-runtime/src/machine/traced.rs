@@ -81,7 +81,7 @@ impl<T> Traced<T> {
         if let Constant(number) = self.operation() { Some(number.value()) } else { None }
     }
 
-    /// Returns the node a with self = −a, if it is known.
+    /// Returns the node a if this number is the negation −a.
     fn negated(self) -> Option<Node> {
         if let Negate(inner) = self.operation() { Some(inner) } else { None }
     }

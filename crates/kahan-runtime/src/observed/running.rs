@@ -25,7 +25,7 @@ use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
 
-/// The extremes of each variable, and of its rate of change.
+/// The extremes of each variable and of its rate of change. Their middle is the center of rotation.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
@@ -93,7 +93,7 @@ macro_rules! observables {
                 }
             }
 
-            /// Shows a burst of points to the observers of one observable.
+            /// Shows a burst of consecutive points to the observers of one observable.
             fn observe_burst<P: Grouped<T>>(mut own: [Option<&mut Self>; GROUP], burst: &Burst<'_, P>) {
                 match &own[0] {
                     $(Some(Running::$name(_)) => {
@@ -241,7 +241,8 @@ where
         }
     }
 
-    /// Shows a burst of points to one observable after the other, for all orbits at once.
+    /// Shows a burst of consecutive points to one observable after the other, for all orbits at
+    /// once.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let Some(first) = &group[0] else { return };
         if first.carrier.plane.is_some() {

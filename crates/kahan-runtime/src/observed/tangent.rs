@@ -1,7 +1,8 @@
 //! The tangent map of an orbit; in a lifted field, for tangent vectors in the original variables.
 //!
 //! Lifting adds variables w = g(x). A tangent vector e of x then corresponds to (e, Dg·e), where Dg
-//! is the Jacobian of g. The plane of these vectors is propagated from point to point.
+//! is the Jacobian of g. The space of these vectors, called the plane, is propagated from point to
+//! point.
 //!
 //! # Resets
 //!
@@ -117,7 +118,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
             *largest = largest.max(row.iter().copied().fold(0.0, squares));
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
-            // A variable without a function has slope 0, and does not occur in the equations.
+            // If `largest` is 0, the added variable does not occur in the equations.
             let is_near = error <= FARTHEST * FARTHEST * *largest;
             is_far |= *largest > 0.0 && !is_near;
         }

@@ -30,7 +30,7 @@ impl Map {
         let (system, parameters) = (self.field().system(), self.parameters());
         let map = match &self.field().derived().map {
             map @ Some(_) => ProjectiveMap::of(system, map.as_ref(), parameters, eps),
-            // In many variables, the field has no plan for a rational map.
+            // If there are many variables, `derived` contains no rational map.
             None => ProjectiveMap::new(system, parameters, eps),
         };
         let map = map.expect("a map is at parameters where its field is defined");

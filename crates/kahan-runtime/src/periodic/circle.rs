@@ -37,7 +37,7 @@ pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
 
 pub(super) fn stability(polynomial: &Polynomial) -> Stability {
     let reversed = reversed(polynomial);
-    // If 0 is a root, the reversed polynomial has a lower degree.
+    // A root 0 lies inside the circle; the reversed polynomial then has a lower degree.
     let is_smaller = reversed.degree() < polynomial.degree() || has_root_outside(&reversed);
     match (has_root_outside(polynomial), is_smaller) {
         (true, true) => Stability::Saddle,
@@ -68,9 +68,9 @@ fn has_root_outside(polynomial: &Polynomial) -> bool {
     }
     let Some(mut rest) = polynomial.checked_div(&shared) else { return false };
     // The test of Schur and Cohn: the remaining factor has no root on the circle. Up to sign, the
-    // product of its roots is its constant coefficient over its leading one. If this quotient is at
-    // least 1 in size, a root lies outside. Otherwise, by Rouché's theorem, the next polynomial has
-    // as many roots outside, and one degree less.
+    // product of its roots is its constant coefficient over its leading one. If the absolute value
+    // of this quotient is at least 1, a root lies outside. Otherwise, by Rouché's theorem, the next
+    // polynomial has as many roots outside, and one degree less.
     while rest.degree() > 0 {
         let leading = rest.coefficient(&Monomial::power(Z, rest.degree()));
         let last = rest.coefficient(&Monomial::one());
@@ -102,7 +102,7 @@ mod tests {
             (of(&[0, 1], 1), [true, false, false]),
             (of(&[-1, 2], 2), [true, false, false]),
             (of(&[1, 6], 1), [true, false, false]),
-            // The roots are 0.6 ± 0.79i, of size 0.99.
+            // The roots are 0.6 ± 0.79i, with absolute value 0.99.
             (of(&[9801, -12000, 10000], 10000), [true, false, false]),
             (of(&[-1, 1], 1), [false, true, false]),
             (of(&[1, 1], 1), [false, true, false]),

@@ -16,7 +16,7 @@ use super::circle::{Z, characteristic_polynomial, product, stability};
 
 /// The largest number of decimal digits of a coordinate of a rational cycle.
 pub const MOST_DIGITS: u64 = 200;
-/// The largest number of products of fractions for a characteristic polynomial.
+/// The largest number of multiplications of fractions for a characteristic polynomial.
 const MOST_PRODUCTS: usize = 200_000;
 
 /// A cycle over ℚ, with its multipliers.
@@ -47,7 +47,7 @@ impl Map {
     /// Searches for a rational cycle near a cycle in floats, for the map at ε, half the time step.
     ///
     /// Returns `None` if no fractions with small denominators form a cycle. The search also ends at
-    /// 200 digits, and at 200 000 products of fractions.
+    /// 200 digits, and at 200 000 multiplications of fractions.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
         /// Relative distances within which the simplest fraction is taken.
@@ -87,7 +87,7 @@ impl Map {
     }
 }
 
-/// Counts the products of fractions that the derivative and its characteristic polynomial need.
+/// Counts the multiplications of fractions for the derivative and its characteristic polynomial.
 fn products(variables: usize, period: usize) -> usize {
     variables.saturating_pow(3).saturating_mul(variables.saturating_add(period))
 }

@@ -78,7 +78,7 @@ fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
 
 #[test]
 fn the_derivative_by_eps_goes_through_elimination_too() {
-    // In ten variables the step eliminates along the couplings.
+    // In ten variables, a step uses sparse elimination.
     let equation = |i: usize| format!("x{i}dot = x{i}*x{} - x{}/2 + 1/3;", (i + 1) % 10, (i + 7) % 10);
     let map = Field::parse(&(0..10).map(equation).collect::<String>()).unwrap().map().unwrap();
     let (eps, x) = (0.125, [0.5, -0.25, 1.0, 0.75, -0.5, 0.25, -1.0, 0.125, 0.375, 0.625]);
@@ -102,7 +102,7 @@ fn a_cycle_between_fractions_is_not_taken_for_one_of_fractions() {
 
 #[test]
 fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
-    // In y and z the map is linear, with another rotation at each point of the cycle in x.
+    // In y and z the map is linear; its matrix differs between the points of the cycle in x.
     let text = "xdot = x^2 + x + 1; ydot = x*z + y; zdot = x*y/2 - 2*z - y;";
     let map = Field::parse(text).unwrap().map().unwrap();
     let at = map.at(1.0);
@@ -192,8 +192,8 @@ fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
 
 #[test]
 fn the_lorenz_system_changes_where_the_flow_does() {
-    // The map shares equilibria with the flow. Multipliers (1 + ελ)/(1 − ελ) cross the circle where
-    // eigenvalues λ cross the imaginary axis.
+    // The map and the flow have the same equilibria. Multipliers (1 + ελ)/(1 − ελ) cross the circle
+    // where eigenvalues λ cross the imaginary axis.
     let field = Field::parse("xdot = s*(y - x); ydot = r*x - y - x*z; zdot = x*y - b*z;").unwrap();
     let place = field.parameters().iter().position(|name| name == "r");
     let b = Rational::new(8, 3);

@@ -12,7 +12,7 @@ fn the_other_systems_grow_as_the_paper_says() {
         ("e2", "", Growth::Logarithmic),
         ("e5", "", Growth::Linear),
         ("euler", "1,2,-3", Growth::Quadratic),
-        // At these parameters E9 is E3 or E4, and heights have the same growth.
+        // At these parameters E9 is E3 or E4, and the heights grow as in that system.
         ("e9", "1", Growth::Linear),
         ("e9", "-1", Growth::Quadratic),
         ("e7", "1", Growth::Logarithmic),

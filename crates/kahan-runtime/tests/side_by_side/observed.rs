@@ -21,7 +21,7 @@ fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &Observation
     found.iter().map(|found| found.end).collect()
 }
 
-/// The numbers of steps end at, between, and before the observers' sampling steps.
+/// Runs end at a step at which observers sample, between two such steps, or before the first.
 #[test]
 fn observables_are_those_of_each_orbit_alone() {
     use Observable::{Extrema, Fli, Last, Lyapunov, Sali};

@@ -184,8 +184,8 @@ fn a_trajectory_whose_field_divides_by_zero_is_no_number() {
     }
 }
 
-/// Trajectories overflow at different steps, meet a pole, or stay finite. Some have an ε near zero,
-/// for which the step needs another formula.
+/// Trajectories overflow at different steps, meet a pole, or stay finite. Some have an ε too near
+/// zero to divide by.
 #[test]
 fn a_trajectory_of_columns_ends_where_it_ends_alone_with_the_same_bits() {
     const STEPS: u64 = 3000;

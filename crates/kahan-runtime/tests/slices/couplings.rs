@@ -10,7 +10,7 @@ enum Kind {
     Anywhere(usize),
     /// Each variable depends on this number of variables up to itself.
     Triangular(usize),
-    /// The first variable is coupled with all others, in both directions.
+    /// The first variable depends on all others, and all others depend on the first.
     Arrow,
     /// Each variable depends on neighbours around a ring.
     Ring(usize),

@@ -6,7 +6,7 @@ use kahan_runtime::{Composition, Field, Map, MapAt, Rational, Sensitivity};
 /// A field as text, with the values of its parameters and a first point.
 pub(crate) type Case = (String, Vec<(&'static str, f64)>, Vec<f64>);
 
-/// Returns fields whose steps are straight-line programs, and fields whose steps eliminate.
+/// Returns fields whose steps are straight-line programs, and fields whose steps use elimination.
 pub(crate) fn fields() -> Vec<Case> {
     let network: String = (0..7)
         .map(|i| {

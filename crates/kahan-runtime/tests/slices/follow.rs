@@ -90,7 +90,7 @@ fn points_are_those_of_single_steps() {
         map_agrees::<f64>(&catalog(name), 9000);
         map_agrees::<f32>(&catalog(name), 300);
     }
-    // In nine variables the step eliminates.
+    // In nine variables the step solves its equations by elimination.
     let ring = |k: usize| format!("x{k}dot = x{k}*(x{} - x{});", (k + 1) % 9, (k + 8) % 9);
     map_agrees::<f64>(&Field::parse(&(0..9).map(ring).collect::<String>()).expect("a field"), 70);
 }

@@ -7,7 +7,8 @@ use kahan_runtime::{Field, MachineFloat, Map};
 
 use super::support::{Random, assert_same, number, steps};
 
-/// Returns a field in n coupled variables. From about six on, its reduced map has too many terms.
+/// Returns a field in n variables, of which each depends on all others. From about six on, its
+/// reduced map has too many terms.
 pub(crate) fn dense(n: usize) -> String {
     let equation = |i: usize| {
         let terms = (0..n).flat_map(|j| (j..n).map(move |k| (j, k)));
@@ -17,7 +18,7 @@ pub(crate) fn dense(n: usize) -> String {
     (0..n).map(equation).collect()
 }
 
-/// Returns a Lotka–Volterra chain of n variables, each coupled with its neighbours.
+/// Returns a Lotka–Volterra chain of n variables, each of which depends on its neighbours.
 pub(crate) fn chain(n: usize) -> String {
     let neighbour = |i: usize| if i < n { format!("x{i}") } else { "0".to_owned() };
     let equation =
@@ -65,7 +66,6 @@ fn promised_as_by_types<T: MachineFloat + Pivot, const N: usize>() {
     let typed: Interpreted<T, N> = map.as_kahan_map().unwrap();
     let mut random = Random(29);
     let (mut found, mut refused) = (0, 0);
-    // For some points ε = 2/3 is a pole; for others it is near a pole.
     for eps in steps::<T>().into_iter().chain([number(2.0 / 3.0), number(1e30), T::zero() / T::zero()]) {
         for point in [random.point(N), vec![T::one(); N], vec![number(1e-30); N]] {
             let (x, mut next) = (SVector::<T, N>::from_vec(point), vec![T::zero(); N]);
@@ -120,7 +120,6 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     }
     let (mut state, total) = (x.clone(), |x: &[f64]| x.iter().sum::<f64>());
     at.advance(&mut state, 1000).unwrap();
-    // The map preserves the sum, a linear integral.
     assert!((total(&state) - total(&x)).abs() < 1e-11, "{}", total(&state) - total(&x));
 }
 
@@ -189,7 +188,6 @@ fn follows_the_interpreter<T: MachineFloat, const N: usize>(text: &str) {
         let mut x: Vec<T> = random.point(N);
         let (mut point, mut next) = (SVector::<T, N>::from_column_slice(&x), x.clone());
         let at = large.at(eps);
-        // Without machine code, compiled loops step dense fields.
         assert!(at.is_code() || !map("xdot = a*x^2;").at(eps).is_code(), "where there is code at all");
         for steps in [1, 3, 100] {
             at.advance(&mut x, steps).unwrap();

@@ -1,4 +1,4 @@
-//! Fields read at run time and stepped as slices.
+//! Fields read at run time, whose maps step slices.
 
 mod catalog;
 mod coefficients;

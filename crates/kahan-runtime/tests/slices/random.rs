@@ -1,4 +1,4 @@
-//! Compares random fields as slices with the typed map of the field.
+//! Compares maps of random fields over slices with maps over vectors of fixed length.
 
 use kahan_core::KahanMap;
 use kahan_core::nalgebra::SVector;

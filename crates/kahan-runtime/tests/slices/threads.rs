@@ -1,4 +1,4 @@
-//! One map on many threads.
+//! Uses one map on many threads.
 
 use std::thread::scope;
 

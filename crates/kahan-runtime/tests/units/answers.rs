@@ -1,4 +1,4 @@
-//! Results in some units of length and time, converted back to the reference units.
+//! Collects results in any units of length and time, and converts them to the reference units.
 
 use core::fmt::Debug;
 

@@ -56,8 +56,6 @@ fn cycles_and_branches_have_the_same_bits_in_every_unit() {
 
 #[test]
 fn branches_over_a_parameter_have_the_same_bits_in_every_unit() {
-    // One parameter has the dimension of a length (its branch begins at a cycle at 0), another has
-    // no dimension.
     let fold = Field::parse("xdot = a - q*x^2 - x; ydot = x - y;").unwrap();
     let oscillator = Field::parse("xdot = y; ydot = b*y - x - q*x^2;").unwrap();
     for (field, name, [from, to], dimension, start) in [

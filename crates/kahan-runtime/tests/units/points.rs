@@ -50,7 +50,7 @@ impl<M: ExtendScalars<T, N>, T: FloatScalar + Pivot, const N: usize> Subject<'_,
         answers.add("polarized field", SPEED, self.map.polarized(&x, &next).as_slice());
         answers.add_point("local error", &at.local_error(&x));
         answers.add_point("back", &self.map.step_back(&next, self.eps()));
-        // `try_step` may round differently in other units.
+        // In other units `try_step` may round differently, so only its success is compared.
         answers.say("promise", at.try_step(&x).is_ok());
     }
 
@@ -127,7 +127,6 @@ fn orbits_of_points_have_the_same_bits_in_every_unit() {
 fn scenes_are_chosen_for_in_the_same_way_in_every_unit() {
     for case in &CASES {
         let field = case.field();
-        // Settings whose ε has another size are tried, too.
         let units =
             [&UNITS[..2], &UNITS[4..], &[[0, 40], [0, -40]].map(|[length, time]| Unit { length, time })]
                 .concat();
