@@ -1,12 +1,12 @@
 //! The spelling of names: keywords, misspellings, marks of derivatives, and proposed names.
 
-/// The page about fields that are not quadratic, for help texts.
+/// The documentation page about fields that are not quadratic, for help texts.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
 /// The remedy for fields that are not quadratic, for help texts.
 pub const LIFTS: &str = "`kahan lift`, or `lift=True` in Python, makes a quadratic field of it";
 
-/// The page about the notation of texts, for help texts.
+/// The documentation page about the notation of texts, for help texts.
 pub const ON_TEXTS: &str = "docs/how-to/texts.md";
 
 /// Returns whether a name is `_`, or a strict or reserved keyword of Rust.

@@ -22,7 +22,7 @@ impl Reader<'_> {
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
             if let Some(end) = self.line_of_directive(at) {
-                // An option of XPP is skipped; other directives are refused later.
+                // Lines with `@` are options of XPP, which are skipped; others are refused later.
                 let left = None;
                 items.extend((self.at(at) != "@").then_some(TextItem {
                     tokens: at..end,

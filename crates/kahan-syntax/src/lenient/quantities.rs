@@ -110,7 +110,8 @@ impl Reader<'_> {
             values.extend(value.filter(|_| is_start || used.contains(name)));
         }
         let mut put_in = Vec::new();
-        // Expand each quantity after those that it uses. The parser reports cycles.
+        // Each round expands quantities whose parts are already expanded. The parser reports
+        // cycles.
         for _ in 0..DEEPEST {
             let names: HashSet<&str> = quantities.iter().map(|(_, name, _)| *name).collect();
             let waits = |right: &Range<usize>| self.needs(right).iter().any(|name| names.contains(name));

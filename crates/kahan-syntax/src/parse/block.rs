@@ -132,7 +132,7 @@ fn broken_equation<X>(block: &mut Block<X>, left: Name, meant: String) {
     block.misspelt_states.extend([left, state]);
 }
 
-/// Returns the state and the order that a name such as `x_dot`, `xddot` or `x_ddot` probably means.
+/// Returns the state and the derivative's order that `x_dot`, `xddot` or `x_ddot` probably means.
 fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     let single = state.trim_end_matches('d');
     let order = 1 + state.len() - single.len();
@@ -147,7 +147,7 @@ fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
     cursor.uses(name) || name.chars().count() == 1
 }
 
-/// Returns the state and the order that `xdto`, `xDot`, `dxdt` or `ẋ` probably means.
+/// Returns the state and the derivative's order that `xdto`, `xDot`, `dxdt` or `ẋ` probably means.
 fn probable_derivative(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
     if let Some(dotted) = without_dots(left) {
         return dotted;

@@ -102,7 +102,7 @@ impl<'a> Cursor<'a> {
         self.tokens.get(self.at + ahead)
     }
 
-    /// Returns a token that was already read. The last one is `behind` = 1.
+    /// Returns a token that was already read; `behind` = 1 returns the last one.
     pub(super) fn before(&self, behind: usize) -> Option<&'a Token> {
         self.tokens.get(self.at.checked_sub(behind)?)
     }

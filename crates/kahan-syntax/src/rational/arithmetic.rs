@@ -58,8 +58,8 @@ impl Rational {
             } else {
                 i128::from(*b) / i128::from(gcd(*b as u64, *d as u64)) * i128::from(*d)
             };
-            // The fraction is in lowest terms. A prime that divides the lcm divides one of the
-            // denominators b and d, and hence not both numerators.
+            // The fraction gcd(a, c)/lcm(b, d) is in lowest terms: a prime that divides the lcm
+            // divides b or d, and hence not both a and c.
             return Self::from_reduced(i128::from(num), den);
         }
         let num = num_integer::Integer::gcd(&self.numerator(), &other.numerator());
