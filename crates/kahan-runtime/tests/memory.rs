@@ -54,7 +54,7 @@ fn steps_of_floats_allocate_nothing() {
     assert_eq!(count(&exact.rounded::<Dd>(), vector![Dd::from(0.3), Dd::from(0.0)], Dd::from(0.01)), 0);
 }
 
-/// Returns a field of many variables, sparse or with all variables coupled.
+/// Returns a field of many variables, sparse or with all variables in each equation.
 fn field_in(n: usize, is_dense: bool) -> Field {
     let terms = |i: usize| if is_dense { (0..n).collect() } else { vec![i, (i + 1) % n] };
     let equation = |i: usize| {

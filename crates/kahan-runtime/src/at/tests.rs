@@ -383,7 +383,7 @@ fn columns_of_eliminated_fields_are_their_orbits() {
     }
 }
 
-/// Returns the field of logistic growth on a square lattice, each site coupled to its neighbours.
+/// Returns the field of logistic growth on a square lattice of interacting neighbours.
 fn lattice(side: usize) -> Field {
     let site = |i: usize, j: usize| (i < side && j < side).then(|| format!("x{}", i * side + j));
     let equation = |i: usize, j: usize| {

@@ -79,7 +79,7 @@ fn orbits_are_those_of_rational_arithmetic() {
 
 #[test]
 fn a_field_without_a_reduced_map_is_solved_exactly() {
-    // In six variables that are all coupled, the reduced map has far too many terms.
+    // In six variables that depend on each other, the reduced map has far too many terms.
     let equation = |i: usize| {
         let products: Vec<String> =
             (1..=6).map(|j| format!("{}*x{j}*x{}", (i * j) % 5 + 1, (i + 2 * j) % 6 + 1)).collect();

@@ -1,4 +1,5 @@
 //! Compares encoded instructions with the output of GNU binutils for the text in the comment.
+//! Parentheses after the text say which register an index of [`Vector`] names.
 
 mod memory;
 mod operations;
