@@ -239,13 +239,11 @@ fn what_is_fixed_later_is_put_into_relations() {
     };
     let some = |text: &str| Some(Some(text.to_owned()));
     assert_eq!(condition(&[]), some("a1*a2 = a5*a6, eps = 1/2;"));
-    // With given a1 and a2, the relation is solved for a5. With three given names, it is solved for
-    // a6.
     assert_eq!(condition(&[(0, 2), (1, 3)]), some("a1*a2 = a5*a6, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 4)]), None);
-    // A zero divisor of the relation drops the claim.
+    // With a2 = 0, a divisor of the relation is zero, so the claim is dropped.
     assert_eq!(condition(&[(1, 0)]), None);
     assert_eq!(condition(&[(1, 0), (2, 0)]), None);
 }

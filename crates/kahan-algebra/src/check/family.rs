@@ -114,7 +114,7 @@ struct Names {
 }
 
 impl Names {
-    /// Collects the names of a family. Parameters with an index belong to sites.
+    /// Collects the names of a family. A parameter with an index is a parameter of each site.
     fn of(block: &Block, declared: &Symbols) -> Self {
         let (mut reach, mut at_sites) = (1, FxHashSet::default());
         for (reference, _) in references(block) {

@@ -1,5 +1,5 @@
 //! Names the values of a plan after their formulas, such as `two_eps` and `one_plus_eps_x`. Values
-//! with long formulas get numbers. Generated code and listings share the names.
+//! with long formulas get numbers. Generated code and listings use the names.
 
 use rustc_hash::FxHashSet;
 

@@ -164,7 +164,6 @@ fn holds(text: &str) -> bool {
 
 #[test]
 fn sums_that_telescope_are_kept_and_others_are_not() {
-    // Each case is a flux between sites. Some fluxes vanish at the ends.
     for (flux, before, ends) in [
         ("x[i]*x[i+1]", "x[i-1]*x[i]", true),
         ("x[i]^2", "x[i-1]^2", false),
@@ -286,7 +285,6 @@ fn what_holds_far_from_the_ends_may_fail_near_them_at_any_reach() {
         };
         let middle = format!("x[i+{reach}] - 2*x[i] + x[i-{reach}]");
         assert!(!holds(&family("y[i]", &middle)));
-        // Near an end, only one of the two summands exists.
         assert!(!holds(&family("y[i]", &format!("{middle} + x[i]"))));
     }
     for reach in [1, 3, 16] {

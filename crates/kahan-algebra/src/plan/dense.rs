@@ -12,7 +12,7 @@ use super::{Node, Plan, PlanBuilder};
 const FEWEST_VARIABLES: usize = 10;
 /// Straight-line code is faster with fewer products of two variables.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field, at least one of this many products has a nonzero coefficient.
+/// In a dense field, at least one in this many products has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
 #[derive(Clone, Debug)]
@@ -142,7 +142,7 @@ impl DenseField {
         builder.finish(&components)
     }
 
-    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ. The term with k = j counts twice.
+    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ. The term with k = j is doubled.
     pub(crate) fn slopes(&self, entries: impl IntoIterator<Item = (usize, usize)>) -> Plan {
         let mut builder = PlanBuilder::default();
         let slope = |(i, j): (usize, usize)| {

@@ -85,7 +85,8 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBu
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Computes the gcd of all coefficients with respect to the variables outside `bounds`.
+/// Computes the gcd of all coefficients of a and b as polynomials in the variables outside
+/// `bounds`.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,

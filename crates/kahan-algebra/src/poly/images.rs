@@ -15,8 +15,8 @@ use crate::prime_field::{PrimeField, SplitMix64};
 
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
-/// The number of products of residues that take as long as one product of terms. A [`Budget`] is
-/// charged at this rate.
+/// Multiplying this many residues takes as long as multiplying two terms. A [`Budget`] is charged
+/// at this rate.
 pub const RESIDUES_PER_TERM: u64 = 32;
 
 type Univariate = Vec<u64>;

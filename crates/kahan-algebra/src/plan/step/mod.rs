@@ -26,7 +26,7 @@ pub const LARGEST_SIZE: u32 = 1000;
 /// The cost of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
-    /// The number of operations of a step. A multiply-add counts twice.
+    /// The number of operations of a step, where a multiply-add is two operations.
     pub operations: u32,
     /// The number of divisions among the operations.
     pub divisions: u32,

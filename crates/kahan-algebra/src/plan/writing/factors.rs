@@ -184,7 +184,7 @@ mod tests {
         }
     }
 
-    /// In E6, two numerators share the factor y + ε(x² − z²).
+    /// In E6, two numerators have the common factor y + ε(x² − z²).
     #[test]
     fn the_numerators_of_e6_are_products() {
         let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
