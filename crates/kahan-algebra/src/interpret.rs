@@ -57,7 +57,7 @@ pub struct Evaluation<V> {
     pub density: Option<Option<V>>,
     /// The unconditional brackets, as n×n matrices.
     pub brackets: Vec<NamedTensor<V>>,
-    /// The unconditional drifts by name, with F(x) and the value of F(x̃) by the recurrence.
+    /// The unconditional drifts by name, each with F(x) and the claimed value G(F(x)) of F(x̃).
     pub drifts: Vec<(String, Option<Vec<V>>)>,
 }
 

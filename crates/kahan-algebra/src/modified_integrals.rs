@@ -51,7 +51,7 @@ pub enum Rule {
     /// αc²)/(1 + ε²αβm²). If m is an integral, so is yᵀQy.
     Rotation,
     /// Like [`Rotation`](Rule::Rotation), but with δ < 0. For ṡ = κsm and ẇ = −κwm, the integral is
-    /// sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient counts.
+    /// sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient decides.
     Hyperbolic,
 }
 

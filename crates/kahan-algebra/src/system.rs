@@ -41,8 +41,8 @@ pub struct Claim {
     pub name: Name,
     /// The claim as written.
     pub body: ClaimBody,
-    /// The plan of the claim. A drift has the outputs F(x) and F(x̃). A bracket has its entries
-    /// above the diagonal, row by row. Any other claim has one output.
+    /// The plan of the claim. A drift has the outputs F(x) and the claimed value of F(x̃). A
+    /// bracket has its entries above the diagonal, row by row. Any other claim has one output.
     pub plan: Plan,
     /// The conditions of the claim.
     pub conditions: Vec<Condition>,

@@ -61,7 +61,6 @@ fn both_provers_decide_claims_on_their_relations() {
             &["a*b*c = -1", "c = -1/(a*b)", "a*b*c = -1, a = b^2", "a = b^2, a*b*c = -1"],
             &["a*b*c = -2", "a*b*c = 1"],
         ),
-        // In the last true case, division by a2 implies a2 ≠ 0.
         (
             OSCILLATORS,
             "integral G = x*u + y*v",

@@ -154,7 +154,6 @@ fn pairs_that_turn_are_found_with_their_scales_and_centres() {
         &["Rotation: (13 - 6*s + 4*c + s^2 + c^2)/(1 + eps^2*m^2)"],
     );
     check("sdot = c*m; cdot = -s*m; mdot = 0;", &["Polarisation: m", "Rotation: s^2 + c^2"]);
-    // Products of two pairs with equal m are also integrals.
     let four =
         found("sdot = c*(m + 1); cdot = -s*(m + 1); udot = v*(m + 1); vdot = -u*(m + 1); mdot = s*u - m^2;");
     assert_eq!(four.len(), 4);

@@ -45,7 +45,6 @@ fn both_provers_agree_on_true_and_on_false_claims() {
             true,
         ),
         (E6, "bracket F { {x,y} = x*(1 + 3*eps^2*y^2); {y,z} = z*(1 + 3*eps^2*y^2); {z,x} = 2*y; }", false),
-        // Only the invariance of the last pair fails.
         (GROWING, "bracket F { {y,z} = y*z; }", true),
         (GROWING, "bracket F { {y,z} = 1; }", false),
         // The claim is undefined at every small number x.
@@ -121,7 +120,6 @@ fn multiples_of_large_primes_are_no_hiding_place() {
 
 #[test]
 fn the_number_of_points_follows_from_the_bound() {
-    // With b bits and degree d, the bound e on the error at a point is (64 (b/60 + 1) + d) 2⁻⁶⁰.
     assert_eq!(points_needed(1, 1), Some(3));
     assert_eq!(points_needed(900, 100), Some(3));
     assert_eq!(points_needed(1 << 36, 0), Some(7));

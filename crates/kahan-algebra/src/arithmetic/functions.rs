@@ -155,7 +155,6 @@ impl Arithmetic for Functions {
         if self.is_zero(b) {
             return None;
         }
-        // Compute (a/A) / (b/B) without common factors of A and B.
         let without = |own: &[(Polynomial, u32)], other: &[(Polynomial, u32)]| -> Vec<(Polynomial, u32)> {
             let left = own
                 .iter()

@@ -3,8 +3,8 @@
 //! The numerator p is a polynomial in states and parameters, and q contains no state. Limits on
 //! sizes bound compile times. The caller checks the degree of the result.
 //!
-//! The [written form](crate::subexpressions) is stored beside p/q. The written form is dropped if a
-//! name, a leading term or a divisor cancels.
+//! The [written form](crate::subexpressions) is stored beside p/q, unless a name, a leading term or
+//! a divisor cancels in p/q.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -384,7 +384,7 @@ pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, deg
     Diagnostic::new(Kind::Degree, span, message, help)
 }
 
-/// Suggests to introduce a variable for a function that is not quadratic.
+/// Returns a hint to introduce a variable for a function that is not quadratic.
 fn instead_of(new: &str, function: &str) -> String {
     let by = if new.contains('[') { "introduce a new variable" } else { LIFTS };
     let such_as = if new.contains('[') { "" } else { ", for example with" };

@@ -256,8 +256,8 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports site parameters that are undefined beyond an end of the chain. A state at the same site
-/// or farther out makes a term 0, so the term is allowed.
+/// Reports site parameters that are undefined beyond an end of the chain. A term with a state at
+/// the same site or farther out is 0 there, so it is allowed.
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =

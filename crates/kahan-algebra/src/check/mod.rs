@@ -36,7 +36,7 @@ const MOST_EQUATIONS: usize = 10_000;
 const MOST_NAMES: usize = 10_000;
 const MOST_CLAIMS: usize = 500;
 
-/// Returns the diagnostic for a family in place of a plain system.
+/// Returns the diagnostic for a family where a system with a number of sites is needed.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     let message = "a family of equations stands here, and the number of its sites is not known";

@@ -52,10 +52,10 @@ pub struct Derived {
     /// The unconditional brackets by name. Each plan has the entries above the diagonal, row by
     /// row.
     pub brackets: Vec<(String, Plan)>,
-    /// The unconditional drifts by name. Each plan computes F(x) and F(x̃).
+    /// The unconditional drifts by name. Each plan computes F(x) and the claimed value of F(x̃).
     pub drifts: Vec<(String, Plan)>,
-    /// The plans of the conditional claims. Each plan also computes the values for which conditions
-    /// are solved.
+    /// The plans of the conditional claims. A name that a condition determines is replaced by its
+    /// value.
     pub conditional: Vec<Plan>,
     made: LazyPlans,
 }

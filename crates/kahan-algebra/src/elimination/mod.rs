@@ -25,7 +25,7 @@ pub const MOST_EXPANDED: usize = 8;
 /// The most variables that a block of `kahan!` may have in compiled code.
 pub const MOST_VARIABLES: usize = 200;
 const MOST_PARAMETERS: usize = 2000;
-/// The most nonzero entries of f′ in compiled code for many variables.
+/// The most nonzero entries of f′ in a block of `kahan!` with many variables.
 const MOST_SLOPES: usize = 1500;
 
 /// Eliminations with more multiplications are written as loops.

@@ -86,7 +86,7 @@ struct Term {
 struct RowTerm {
     monomial: Monomial,
     extent: SiteRange,
-    /// The index of the unknown entry of K in the term. For terms of ẋ, the number of unknowns.
+    /// The index of the unknown entry of K in the term. A term of ẋ has the number of all unknowns.
     unknown: usize,
     coefficient: Polynomial,
 }

@@ -121,7 +121,6 @@ fn random_families_are_the_chains_that_one_writes_out() {
         for sites in 1..=8 {
             let system = checked.at_sites(sites as usize).expect("no site divides by zero");
             let plain = reading(&family.chain(sites)).system().expect("a system");
-            // A block without a header orders its parameters by first use.
             let names = |system: &crate::system::System| {
                 let symbols = system.field.symbols.clone();
                 let component = |component: &crate::rational_function::RationalFunction| {
@@ -212,7 +211,6 @@ fn constant_stencils_are_found_where_they_are() {
     assert!(!holds(
         "for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2 + 1; } hamiltonian H = sum(x[i]^3 + x[i]);"
     ));
-    // The field of coupled oscillators with cubic springs.
     let oscillators = |boundary: &str, force: &str| {
         format!(
             "for i in {boundary} {{ q[i]dot = p[i]/m; p[i]dot = {force}; }} \

@@ -49,7 +49,7 @@ impl SampleStep {
             }
             norm = norm.max(sum);
         }
-        // With ε = size/‖f′‖∞, a Jacobian with a single entry would have a pole at size 1.
+        // A random factor avoids ε = 1/‖f′‖∞, where a Jacobian with a single entry gives a pole.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
         if !eps.is_normal() {
             return None;

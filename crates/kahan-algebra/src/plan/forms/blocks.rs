@@ -65,7 +65,7 @@ impl<'a> Blocks<'a> {
     /// Prepares the map of a tangent vector v for known x and x̃.
     ///
     /// The second states stand for x + x̃ and ṽ − v, so half of the terms of the polarised field
-    /// cancel. Doubled equations contain no factor ½.
+    /// cancel. All equations are doubled to avoid the factor ½.
     pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };

@@ -44,7 +44,8 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether every prepared constant is rounded once, where this matters.
+    /// Returns whether no prepared constant is rounded twice. Returns `true` for dissipative
+    /// fields.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
@@ -58,7 +59,8 @@ impl Writer {
         (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
     }
 
-    /// Returns whether the prepared constants of `step` are rounded once, where this matters.
+    /// Returns whether no prepared constant of `step` is rounded twice. Returns `true` for
+    /// dissipative fields.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
         self.kernel(&[step]).1 == 0
     }

@@ -27,7 +27,7 @@ struct WithDenominator {
 
 /// Numerators as products of factors are tried with this many of the cheapest denominators.
 const TRIED: usize = 2;
-/// If all factors have more terms together, they are not tried beside determinants.
+/// If the factors have more terms in total, only numerators as determinants are tried.
 const FACTOR_TERMS: usize = 32;
 
 /// This many orders of rows are compared for the blocks of a field with few terms.

@@ -83,7 +83,7 @@ fn common(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynom
     gcd_within(a, b, budget).ok().map(|gcd| core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
-/// Returns the common factor of the coefficients by powers of some variable, if not constant.
+/// Returns the gcd of the coefficients of the powers of some variable, unless it is constant.
 fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > TERMS || polynomial.len() < 4 {
         return None;

@@ -18,7 +18,7 @@ pub(in crate::plan) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
 /// The approximate cycle when the image of a state is ready. A division comes before it.
 const LATE: u32 = 2 * DIVIDE;
 
-/// The symbols that are multiplied by the powers of ε in a term first.
+/// The symbols of a term that are multiplied by its powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum ScalingPriority {
     /// States come first. This suits fields whose parameters occur only in some terms.
@@ -68,7 +68,7 @@ impl Scaling {
         if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
     }
 
-    /// Returns the cycle when a variable is ready. Returns `None` for variables without states.
+    /// Returns the cycle when a variable is ready. Returns `None` if it depends on no state.
     pub(in crate::plan) fn ready(&self, variable: Variable) -> Option<u32> {
         let Variable(index) = variable;
         if index >= INVERSE_STEP.0 {

@@ -1,5 +1,5 @@
-//! Writes scaled polynomials as operations and reuses existing operations. Existing sums are also
-//! reused if subtracting a multiple shortens the polynomial.
+//! Writes polynomials as operations and reuses existing operations. Existing sums are also reused
+//! if subtracting a multiple of them shortens the polynomial.
 
 mod cheapest;
 mod coefficients;

@@ -1,4 +1,4 @@
-//! Gathers sums of constants before a product of states into prepared coefficients.
+//! Replaces sums of constants that multiply a product of states by prepared constants.
 
 use kahan_syntax::rational::Rational;
 
