@@ -88,7 +88,7 @@ pub(crate) fn choose<'a>(
         }
     }
     let exponent = |one: &RatedCandidate<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
-    // New variables that are functions of few states are preferred, such as x² to x·p.
+    // Lifts whose new variables depend on few states are preferred, for example x² to x·p.
     let spread = |one: &RatedCandidate<'_>| {
         let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()

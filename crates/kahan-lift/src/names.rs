@@ -49,7 +49,6 @@ impl<'a> Writer<'a> {
         if below.is_empty() {
             return notation.product(&above);
         }
-        // A quotient encloses sums in parentheses itself.
         let side = |factors: &[String]| match factors {
             [sum] if sum.starts_with('(') && sum.find(')') == Some(sum.len() - 1) => {
                 sum[1..sum.len() - 1].to_owned()

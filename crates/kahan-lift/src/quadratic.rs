@@ -22,7 +22,8 @@ pub(crate) fn times(affine: &Quadratic, variable: usize) -> Option<Quadratic> {
     is_affine.then(|| affine.shifted(&Monomial::power(variable, 1)))
 }
 
-/// Returns a rational function in which parameters follow the variables of the lift.
+/// Returns a polynomial as a rational function in which parameters follow the variables of the
+/// lift.
 pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFunction {
     let number = |index: usize| Variable(u16::try_from(index).expect("a lift has few variables"));
     let shift = |polynomial: &Polynomial| {
@@ -150,7 +151,7 @@ impl<'a> Products<'a> {
                 pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()
             };
             pairs.sort_by_key(|pair| (!(*pair == Monomial::power(of, 1) && is_negative), new(pair)));
-            // Quadratic equations of states stay as written.
+            // Equations of states that are quadratic stay as written.
             if of < states && pairs.first().is_some_and(|pair| new(pair) == 0) {
                 pairs.truncate(1);
             }

@@ -23,8 +23,8 @@ pub(crate) struct Problem {
     pub given: Vec<Monomial>,
     /// Polynomials that are already variables.
     pub sums: Vec<Laurent>,
-    /// Monomials that must be products of variables. Monomials in derivatives of new variables come
-    /// in addition.
+    /// Monomials that must be products of variables, together with the monomials in derivatives of
+    /// new variables.
     pub required: Vec<Monomial>,
     /// Coordinates that may have negative exponents in new variables.
     pub negative: BTreeSet<usize>,

@@ -110,7 +110,7 @@ impl Orbit {
         if count == 0 {
             return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // First the entries of Dg, then those of ∂F/∂w.
+        // The list has the entries of Dg, then those of ∂F/∂w.
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {
