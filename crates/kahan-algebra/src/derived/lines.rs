@@ -49,7 +49,7 @@ pub struct Lines {
 }
 
 impl Family {
-    /// Derives the plans of a site. The cost is about that of the equations.
+    /// Derives the plans of a site. The cost depends on the equations, not on the number of sites.
     #[must_use]
     pub fn lines(&self) -> Lines {
         let given = self.line_symbols();

@@ -38,7 +38,7 @@ impl ValueNames {
         }
     }
 
-    /// Reserves the names in `taken`.
+    /// Returns these names without the names in `taken`, which no value will get.
     #[must_use]
     pub fn without(self, taken: impl IntoIterator<Item = String>) -> Self {
         ValueNames { taken: taken.into_iter().collect(), ..self }

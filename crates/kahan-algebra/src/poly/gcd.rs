@@ -98,7 +98,7 @@ fn gcd_of_coefficients(
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
 }
 
-/// Multiplies the gcds of contents and of primitive parts in the variable of least degree.
+/// Returns the gcd of contents times that of primitive parts in the variable of least degree.
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,

@@ -71,8 +71,8 @@ impl<'a> FactoredMap<'a> {
         }
     }
 
-    /// Writes a form with increments n/p or n/(p·q) for `factors` p and q. Numerators that contain
-    /// q are divided only by p and multiplied by the power `short` of ε.
+    /// Writes a form for a denominator p·q with `factors` p and q. Numerators that contain q are
+    /// divided only by p and multiplied by the power `short` of ε.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],
