@@ -26,7 +26,7 @@ impl System {
     /// Returns the system with these terms and without claims.
     ///
     /// # Panics
-    /// If an index of a component, a state or a parameter exceeds those of the symbols.
+    /// If the index of a component, a state or a parameter does not occur in `symbols`.
     #[must_use]
     pub fn of_coefficients(symbols: Symbols, coefficients: impl IntoIterator<Item = Coefficient>) -> System {
         let mut terms = vec![Vec::new(); symbols.dimension()];

@@ -57,7 +57,7 @@ pub struct Evaluation<V> {
     pub density: Option<Option<V>>,
     /// The unconditional brackets, as n×n matrices.
     pub brackets: Vec<NamedTensor<V>>,
-    /// The unconditional drifts by name, with F(x) and the value of F(x̃) by the recurrence.
+    /// The unconditional drifts by name, each with F(x) and the claimed value G(F(x)) of F(x̃).
     pub drifts: Vec<(String, Option<Vec<V>>)>,
 }
 
@@ -111,7 +111,7 @@ impl Interpreter {
         self.at(arithmetic, x).run_with(self.derived.at_eps_zero().polarized(), y)
     }
 
-    /// Returns the image x̃ under the reduced map. Returns `None` at a pole, even in floats.
+    /// Returns the image x̃ under the reduced map. Returns `None` at a pole, also for floats.
     pub fn next<A: OverRationals>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
         self.at(arithmetic, point).next()
     }

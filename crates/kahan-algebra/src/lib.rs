@@ -4,7 +4,7 @@
 //! [`check`] makes a [`system`] or a [`family`], and [`prove`] decides the claims. [`derive()`]
 //! returns every [`plan`] that evaluates the map, by the code in [`derived`].
 //!
-//! The macro, maps at run time and the command share one [`Derived`]. The crate must therefore know
+//! The macro, maps at run time and the command all use [`Derived`]. The crate must therefore know
 //! neither a target language nor the scalars of `kahan-core`.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]

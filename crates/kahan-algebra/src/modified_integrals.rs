@@ -51,7 +51,7 @@ pub enum Rule {
     /// αc²)/(1 + ε²αβm²). If m is an integral, so is yᵀQy.
     Rotation,
     /// Like [`Rotation`](Rule::Rotation), but with δ < 0. For ṡ = κsm and ẇ = −κwm, the integral is
-    /// sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient counts.
+    /// sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient decides.
     Hyperbolic,
 }
 
@@ -123,7 +123,7 @@ impl From<OverBudget> for NoIntegral {
     }
 }
 
-/// A form λ and its derivative λ′ along the field, or λ′/m for a form m.
+/// A form with its derivative along the field, or with this derivative divided by a form m.
 type WithSlope = (Polynomial, Polynomial);
 
 /// A product of two linear integrals that contains the product of the states `pair`.
@@ -177,8 +177,6 @@ impl<'a> Flow<'a> {
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
         let constant = linear_relations(&self.components, |v| symbols.is_state(v), budget)?;
         let affine = linear_relations(&quadratic, |v| symbols.is_state(v), budget)?;
-        // The basis of forms with affine derivatives consists of the linear integrals and of forms
-        // with other last terms.
         let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
         let others = affine.iter().filter(|relation| !is_last(last(relation)));
         let mut forms = Vec::new();
@@ -193,7 +191,7 @@ impl<'a> Flow<'a> {
         let linear = states.into_iter().zip(self.components.iter().cloned()).enumerate();
         let linear = linear.filter(|(index, _)| !is_last(*index)).map(|(_, pair)| pair).collect();
         for mut integral in self.invariants(&forms, constant.len(), linear, budget)? {
-            // Without a multiple of (x + y)², the energy may become a sum of squares.
+            // Subtract multiples of products until the integral lacks the product of each `pair`.
             for Product { value, pair } in &products {
                 let [own, other] = [&integral, value].map(|of| of.derivative(pair[0]).derivative(pair[1]));
                 let scaled = integral.mul_within(&other, budget)?;
@@ -204,8 +202,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the products of linear integrals, with products of two different integrals first.
-    /// The pair of states of a product occurs in no later product.
+    /// Returns all products of two linear integrals, with squares last. The product of the states
+    /// `pair` occurs in no later product.
     fn products(
         &self,
         relations: &[Relation],
@@ -218,7 +216,6 @@ impl<'a> Flow<'a> {
                 let is_square = i == j;
                 let other = if is_square { relations[i][0].0 } else { last(&relations[j]) };
                 let pair = [last(&relations[i]), other].map(|state| self.symbols.state(state));
-                // Squares of a single state were removed before.
                 if pair[0] != pair[1] {
                     let value = forms[i].0.mul_within(&forms[j].0, budget)?;
                     if is_square { &mut squares } else { &mut of_two }.push(Product { value, pair });
@@ -235,7 +232,7 @@ impl<'a> Flow<'a> {
         budget: &mut Budget,
     ) -> Result<(), NoIntegral> {
         for multiplier in self.multipliers(budget)? {
-            // The candidates for y are variables with ẋ = m n, where n is affine in the candidates.
+            // Divide all derivatives by m, and keep the variables with affine quotients.
             let mut slopes = Vec::with_capacity(self.components.len());
             for component in &self.components {
                 let slope = component.div_within(&multiplier, budget)?;
@@ -258,7 +255,8 @@ impl<'a> Flow<'a> {
                 second.push(twice);
             }
             for delta in deltas {
-                // Collect the forms λ with λN² = −δλ.
+                // Find the forms whose second derivative, divided by m each time, is −δ times the
+                // form.
                 let vector = |(value, twice): (&Polynomial, &Polynomial)| {
                     twice.add_within(&delta.mul_within(value, budget)?, budget)
                 };
@@ -276,8 +274,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of forms λᵢ and functions vₖ. Both lists contain
-    /// derivatives. Products of the first `constant` forms are omitted.
+    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of forms λᵢ and functions vₖ, which are given
+    /// with their derivatives. Products of the first `constant` forms are omitted.
     fn invariants(
         &self,
         forms: &[WithSlope],
@@ -304,7 +302,7 @@ impl<'a> Flow<'a> {
         Ok(integrals)
     }
 
-    /// Returns the forms m that divide at least two components and may rotate a pair of variables.
+    /// Returns candidates for the form m of a rotation, which are divisors of components.
     fn multipliers(&self, budget: &mut Budget) -> WithinBudget<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
@@ -327,7 +325,7 @@ impl<'a> Flow<'a> {
         Ok(found)
     }
 
-    /// Removes variables whose quotients contain a removed variable.
+    /// Removes each variable whose quotient contains a removed variable, repeatedly.
     fn close(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {
@@ -369,13 +367,13 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map })
     }
 
-    /// Returns the integral I/(1 + ε²δm²) by rotation. The forms y = 2Qx and further forms u
-    /// satisfy ẏ = m u and u̇ = −δ m y.
+    /// Returns the integral I/(1 + ε²δm²) by rotation. For the derivatives y of I, further forms u
+    /// must satisfy ẏ = m u and u̇ = −δ m y.
     fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
-        // I is a quadratic form of (1, x). The first form belongs to the constant 1.
+        // I is a quadratic form in 1 and the states, and `first` is its derivative by the 1.
         let mut first = integral.scale(&Rational::from(2));
         for (variable, slope) in slopes.iter() {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
@@ -402,7 +400,7 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(NoIntegral);
         }
-        // All sums u̇/m + δy are zero, except for the constant term of I.
+        // For a rotation, all sums u̇/m + δy are 0. The first may be constant, which shifts I.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;

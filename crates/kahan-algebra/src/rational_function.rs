@@ -63,7 +63,7 @@ impl RationalFunction {
         Ok(Some(Self::from_coprime(numerator, denominator)))
     }
 
-    /// Returns the numerator with the rational factor and the sign.
+    /// Returns the numerator, which includes the rational factor and the sign of the function.
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
     }

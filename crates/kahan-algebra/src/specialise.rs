@@ -167,8 +167,8 @@ impl Specialisation<'_> {
         Some(Claim { plan: builder.finish(&outputs), conditions, ..claim.clone() })
     }
 
-    /// Solves the conditions of a claim after values were inserted. Returns `None` for conditions
-    /// that are false or not known to be equivalent.
+    /// Solves the conditions of a claim after values were inserted. Returns `None` if the
+    /// conditions are false, or if they may not be equivalent to the original ones.
     fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
         let mut relations = self.relations.clone();
         let mut solved = Vec::new();

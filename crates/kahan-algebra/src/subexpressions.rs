@@ -36,7 +36,7 @@ pub(crate) enum Value {
     Reciprocal(Polynomial),
 }
 
-/// The named subexpressions of a field. Their variables follow those of all symbols.
+/// The named subexpressions of a field, as variables with numbers above those of all symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Subexpressions {
     first: usize,
@@ -82,7 +82,7 @@ impl Subexpressions {
         Subexpressions { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
     }
 
-    /// Returns the index of the subexpression of a variable.
+    /// Returns the index of the subexpression that a variable stands for.
     pub(crate) fn place(&self, variable: Variable) -> Option<usize> {
         usize::from(variable.0).checked_sub(self.first)
     }
@@ -131,7 +131,8 @@ impl Subexpressions {
         Some(&dividend * &self.reciprocal(&divisor)?)
     }
 
-    /// Returns whether every divisor in a polynomial is a factor of `denominator`.
+    /// Returns whether the polynomial, with its subexpressions, divides only by factors of
+    /// `denominator`.
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
         let mut places = polynomial.variables().into_iter().filter_map(|variable| self.place(variable));
         places.all(|place| match &self.values[place] {
@@ -222,8 +223,8 @@ fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
 }
 
 impl FieldWithSubexpressions {
-    /// Builds a field with the subexpressions that its components need. If ε occurs only in even
-    /// powers, ε² is the first subexpression.
+    /// Builds a field with only those subexpressions that its components need. If ε occurs only in
+    /// even powers, ε² becomes the first subexpression.
     pub(crate) fn new(values: Subexpressions, components: Vec<Polynomial>) -> Self {
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -367,8 +368,8 @@ impl FieldWithSubexpressions {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
-    /// Turns subexpressions without varying variables into parameters. Returns the plain field if a
-    /// divisor varies.
+    /// Turns subexpressions into parameters if they contain no variable for which `varies` holds.
+    /// Returns the plain field if a divisor contains such a variable.
     pub(crate) fn with_values_free_of(
         &self,
         field: &Field,

@@ -31,7 +31,7 @@ impl Symbols {
         self.states.len()
     }
 
-    /// Returns the number of variables. States count twice.
+    /// Returns the number of variables. Each state has two, one for each point of a bilinear form.
     #[must_use]
     pub fn count(&self) -> usize {
         2 * self.states.len() + self.parameters.len() + 1

@@ -15,7 +15,7 @@ use crate::relations::Relations;
 use crate::subexpressions::FieldWithSubexpressions;
 use crate::symbols::Symbols;
 
-/// A field with its claims. Clones share the field.
+/// A field with its claims. A clone does not copy the field.
 #[derive(Clone, Debug)]
 pub struct System {
     /// The header of the block.
@@ -41,8 +41,8 @@ pub struct Claim {
     pub name: Name,
     /// The claim as written.
     pub body: ClaimBody,
-    /// The plan of the claim. A drift has the outputs F(x) and F(x̃). A bracket has its entries
-    /// above the diagonal, row by row. Any other claim has one output.
+    /// The plan of the claim. A drift has the outputs F(x) and the claimed value of F(x̃). A
+    /// bracket has its entries above the diagonal, row by row. Any other claim has one output.
     pub plan: Plan,
     /// The conditions of the claim.
     pub conditions: Vec<Condition>,
@@ -62,8 +62,8 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// Builds the conditions of a claim from relations as written, their names, and ranges in
-    /// `relations.nonzero()`.
+    /// Builds the conditions of a claim. Each item has a relation as written, the name for which it
+    /// was solved, and its range in `relations.nonzero()`.
     pub(crate) fn all(
         solved: Vec<(syntax::Condition, Variable, Range<usize>)>,
         relations: &Relations,

@@ -11,7 +11,7 @@ use kahan_algebra::read;
 use kahan_algebra::system::System;
 use kahan_algebra::variational::Sensitivity;
 
-/// At k = ε², a factor cancels in the map.
+/// If k is replaced by ε², a factor cancels in the map of this field.
 const REPAIRED: &str = "struct P { b, k } xdot = x^2; ydot = (1 - k*b^2)*x*y + b*y;";
 
 /// The parameter `k` is replaced by ε².
@@ -106,14 +106,13 @@ fn the_map_is_that_of_the_field_with_eps_squared_put_in() {
 #[test]
 fn factors_that_cancel_for_these_coefficients_are_divided_out() {
     let own = with_eps(REPAIRED);
-    // A factor of the divisor of the unreduced map is zero at this point.
+    // The factor that cancels in the map is zero at this point.
     let [half, one, y] = [Rational::new(1, 2), Rational::ONE, Rational::from(5)];
     let point = Point { state: vec![Rational::new(4, 3), y], parameters: vec![one], eps: half };
     let next = Interpreter::new(&own).next(&Exact, &point).expect("the reduced map has a value");
     assert_eq!(next, [Rational::from(-4), Rational::from(-45)]);
 }
 
-/// Constants are prepared from ε, so a step in floats keeps all digits.
 #[test]
 fn a_step_of_floats_is_near_the_exact_one() {
     let float = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
@@ -161,7 +160,7 @@ fn stepping_back_returns_the_start() {
     }
 }
 
-/// The derivative of x/(1 − 2ε³x) by ε is 6ε²x²/(1 − 2ε³x)².
+/// The map is x ↦ x/(1 − 2ε³x), with the derivative 6ε²x²/(1 − 2ε³x)² by ε.
 #[test]
 fn the_derivative_by_eps_has_that_of_the_coefficients() {
     let with_derivative = system("xdot = eps^2*x^2;").sensitivities(&[Sensitivity::Epsilon]);
@@ -250,7 +249,7 @@ fn odd_powers_of_eps_are_refused_at_the_token() {
         assert!(found[0].message.contains("odd powers"), "{found:?}");
         assert_eq!(place(text, &found[0]), start..start + 3, "{text}");
     }
-    // Odd powers of ε may cancel or multiply to even powers.
+    // In accepted equations, odd powers of ε cancel or multiply to even powers.
     system("xdot = (x + eps*y)*(x - eps*y) + eps*x - eps*x; ydot = eps*x*eps;");
 }
 

@@ -61,7 +61,6 @@ fn both_provers_decide_claims_on_their_relations() {
             &["a*b*c = -1", "c = -1/(a*b)", "a*b*c = -1, a = b^2", "a = b^2, a*b*c = -1"],
             &["a*b*c = -2", "a*b*c = 1"],
         ),
-        // In the last true case, division by a2 implies a2 ≠ 0.
         (
             OSCILLATORS,
             "integral G = x*u + y*v",
@@ -239,13 +238,11 @@ fn what_is_fixed_later_is_put_into_relations() {
     };
     let some = |text: &str| Some(Some(text.to_owned()));
     assert_eq!(condition(&[]), some("a1*a2 = a5*a6, eps = 1/2;"));
-    // With given a1 and a2, the relation is solved for a5. With three given names, it is solved for
-    // a6.
     assert_eq!(condition(&[(0, 2), (1, 3)]), some("a1*a2 = a5*a6, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 4)]), None);
-    // A zero divisor of the relation drops the claim.
+    // With a2 = 0, a divisor of the relation is zero, so the claim is dropped.
     assert_eq!(condition(&[(1, 0)]), None);
     assert_eq!(condition(&[(1, 0), (2, 0)]), None);
 }

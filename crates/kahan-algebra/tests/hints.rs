@@ -203,7 +203,7 @@ fn names_that_are_used_are_states() {
     assert_eq!(checked("struct S { t } xdot = t*x;").diagnostics(), []);
 }
 
-/// Claims about a misread field would be proved.
+/// If such a name were a parameter, claims about a misread field would be proved.
 #[test]
 fn no_name_of_a_derivative_is_taken_for_a_parameter() {
     for text in [

@@ -30,7 +30,7 @@ fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String 
 
 /// A way to test a limit.
 enum Tied {
-    /// Makes a block for a number. The block at the limit is read, and the next block has a
+    /// Makes a block for a number n. With n at the limit the block is read, and the next n is a
     /// mistake.
     AtTheLimit(fn(usize) -> String),
     /// A block far beyond the limit, which the message states.
@@ -78,7 +78,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
         ),
         ("decimal exponents", AtTheLimit(|n| format!("xdot = 1e{n}*x;"))),
         ("digits of a number", AtTheLimit(|n| format!("xdot = {}*x;", "1".repeat(n)))),
-        // A power has the bits of its base times the exponent.
+        // The number 3 has two bits, so its n-th power is taken to have 2n bits.
         ("bits of the power of a number", AtTheLimit(|n| format!("xdot = 3^{}*x;", n.div_ceil(2)))),
         (
             "terms of an expansion",
@@ -143,7 +143,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
     assert_eq!(rows, [], "these rows have no test");
 }
 
-/// All expressions of a block share one budget. Long numbers cost more.
+/// All expressions of a block are charged to one budget. Long numbers cost more.
 #[test]
 fn many_large_expansions_are_one_mistake() {
     let only = |text: &str| {
@@ -161,10 +161,9 @@ fn many_large_expansions_are_one_mistake() {
     assert_eq!(only(&format!("xdot = x*({numbers});")), Kind::TooLarge);
 }
 
-/// Equations that leave too little of the budget for claims are one mistake.
 #[test]
 fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
-    // The expansion takes about 170 000 products.
+    // Each expansion takes about 170 000 multiplications of terms.
     let power = "(1 + a + b + c)^30";
     let equations = |array: &str| listed(11, |k| format!("x{k}{array}dot = {power}*x{k}{array};"), " ");
     let system = |claims: &str| format!("{} ydot = d*x0; {claims}", equations(""));

@@ -83,7 +83,7 @@ fn found(text: &str) -> Vec<String> {
     found.iter().map(line).collect()
 }
 
-/// Checks the integral of the map at ε = 0. Also derives it from the integral of the flow.
+/// Checks that the integral of the map equals that of the flow at ε = 0, and follows from it.
 fn check_limit(field: &Field, found: &ModifiedIntegral) {
     let eps = field.symbols.epsilon();
     let [above, below] = [found.of_map.numerator(), found.of_map.denominator()]
@@ -154,7 +154,6 @@ fn pairs_that_turn_are_found_with_their_scales_and_centres() {
         &["Rotation: (13 - 6*s + 4*c + s^2 + c^2)/(1 + eps^2*m^2)"],
     );
     check("sdot = c*m; cdot = -s*m; mdot = 0;", &["Polarisation: m", "Rotation: s^2 + c^2"]);
-    // Products of two pairs with equal m are also integrals.
     let four =
         found("sdot = c*(m + 1); cdot = -s*(m + 1); udot = v*(m + 1); vdot = -u*(m + 1); mdot = s*u - m^2;");
     assert_eq!(four.len(), 4);
@@ -168,8 +167,8 @@ fn fields_that_nearly_fit_keep_nothing() {
         "xdot = y + x^2; ydot = x*w - 3*y^2; wdot = 2*x*y + x^2;",
         // The derivative dI/dt vanishes only on s² + c² = 1.
         "xdot = p; pdot = -s; sdot = 2*c*p; cdot = -s*p + c;",
-        // In the first field, the exponents are not opposite. In the second field, another variable
-        // couples to the pair.
+        // In the first field, the growth rates of s and w are not opposite. In the second field, ċ
+        // contains m².
         "sdot = s*m; wdot = -2*w*m; mdot = s*m + w^2 - 1;",
         "sdot = c*m; cdot = (m - s)*m; mdot = s*m + w^2 - 1; wdot = s^2 - w;",
         // The factor that rotates the pair is not affine.

@@ -45,7 +45,6 @@ fn both_provers_agree_on_true_and_on_false_claims() {
             true,
         ),
         (E6, "bracket F { {x,y} = x*(1 + 3*eps^2*y^2); {y,z} = z*(1 + 3*eps^2*y^2); {z,x} = 2*y; }", false),
-        // Only the invariance of the last pair fails.
         (GROWING, "bracket F { {y,z} = y*z; }", true),
         (GROWING, "bracket F { {y,z} = 1; }", false),
         // The claim is undefined at every small number x.
@@ -121,15 +120,14 @@ fn multiples_of_large_primes_are_no_hiding_place() {
 
 #[test]
 fn the_number_of_points_follows_from_the_bound() {
-    // The error e of a point is (64 (b/60 + 1) + d) 2⁻⁶⁰ for b bits and degree d.
     assert_eq!(points_needed(1, 1), Some(3));
     assert_eq!(points_needed(900, 100), Some(3));
     assert_eq!(points_needed(1 << 36, 0), Some(7));
     assert_eq!(points_needed(u64::MAX, 0), None);
 }
 
-/// A false claim is proved if k of at most k + 15 steps pass. A step is the first possible one of
-/// 16 draws.
+/// A false claim is proved if it passes at k of the first k + 15 steps. Each step tries up to 16
+/// points.
 #[test]
 fn the_points_of_a_proof_pay_for_every_draw_that_may_pass_wrongly() {
     for degree in (0..46).flat_map(|power| [1_u64 << power, 3 << power]) {

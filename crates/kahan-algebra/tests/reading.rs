@@ -286,7 +286,6 @@ fn a_block_that_asks_for_a_lift_is_told_where_it_is_lifted() {
         assert_eq!(&*tokens[mistake.span.first].text, "lift");
         assert!(mistake.help.contains("kahan lift"), "{mistake}");
     }
-    // The name may be a state, a parameter or a claim.
     for text in [
         "liftdot = lift;",
         "struct S { lift } xdot = lift*x;",

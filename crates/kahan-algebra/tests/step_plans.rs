@@ -191,14 +191,14 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     let e1 = field(FIELDS[1].1);
     let step = StepPlan::of(&e1).expect("E1 is small");
     let at = |x: Rational| [x, Rational::from(2), Rational::from(3), Rational::new(1, 2)];
-    // The denominator is (1 − εx)(1 + 2εx). In det A, the factor 1 + εx comes in addition.
+    // The denominator is (1 − εx)(1 + 2εx), but det A has the further factor 1 + εx.
     assert!(next(&step, &at(Rational::from(2))).is_none());
     assert!(next(&step, &at(Rational::from(-1))).is_none());
     assert!(next(&step, &at(Rational::from(-2))).is_some());
 }
 
-/// With one variable, the increment is a quotient if the divisor depends on the state. Other
-/// divisors have a shared reciprocal.
+/// With one variable, the increment is a quotient if the divisor depends on the state. Otherwise it
+/// is a product with a reciprocal.
 #[test]
 fn a_single_variable_is_divided_at_once() {
     for (text, divisions, reciprocals) in [
@@ -229,8 +229,8 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// If each step waits for ε in the denominator, the step is divided by ε. E1, E3 and E5 are then
-/// exactly Kahan's map at a nearby ε. The form for any scalar does not divide by ε.
+/// If each step would wait for products with ε in the denominator, the plan divides by ε. E1, E3
+/// and E5 are then exactly Kahan's map at a nearby ε. The form for any scalar does not divide by ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

@@ -6,8 +6,8 @@ use kahan_algebra::prime_field::PrimeField;
 /// The coefficients of a polynomial, ordered by exponent from 0 on.
 pub type Dense = Vec<u64>;
 
-/// Sums of products are reduced modulo the prime at this size. Products are below 2^124, so no sum
-/// overflows.
+/// A sum of products is reduced modulo the prime when it reaches this size. Products are below
+/// 2^124, so no sum overflows.
 const REDUCE_AT: u128 = 1 << 127;
 
 /// Removes the zeros at the end of the vector.

@@ -134,8 +134,8 @@ impl Image {
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.without_multiplier(candidate, budget)?, *exponent));
                 }
-                // Factors with the degrees of their images and the right product belong to these
-                // images.
+                // If the factors have the degrees of their images and the right product, the lift
+                // has succeeded.
                 let degrees = factors.iter().zip(&self.factors);
                 let has_degrees = |((factor, _), (image, _)): (&(Polynomial, _), &(Polynomial, _))| {
                     factor.degree_in(order[0]) == image.degree()

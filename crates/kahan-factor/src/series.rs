@@ -24,7 +24,8 @@ pub(super) struct LiftingProblem<'a> {
 }
 
 /// Lifts each factor to a polynomial with the multiplier as leading coefficient. Returns `None` if
-/// the leading coefficient of `whole` is 0 at the point, or if two factors share a root there.
+/// the leading coefficient of `whole` is 0 at the point, or if two factors have a common root
+/// there.
 pub(super) fn lift(field: PrimeField, question: &LiftingProblem<'_>) -> Option<Vec<BivariateCoefficients>> {
     let LiftingProblem { whole, factors, multipliers, point } = question;
     let len = whole[0].len();

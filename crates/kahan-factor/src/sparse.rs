@@ -1,6 +1,6 @@
 //! Lifts factors modulo a large prime, one variable at a time.
 //!
-//! Each step frees one variable and sets the variables freed earlier to several values. The factors
+//! Each step adds one variable and sets the variables added earlier to several values. The factors
 //! are lifted at each value ([`series`](super::series)) and interpolated on their known monomials
 //! (Zippel, "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The values are powers
 //! of one point, so the linear systems have Vandermonde matrices (Monagan and Tuncer, CASC 2016;
@@ -161,16 +161,16 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
 }
 
-/// A polynomial evaluated at successive powers of a point. One or two variables stay free.
+/// A polynomial evaluated at successive powers of a point. One or two variables get no value.
 struct PowerEvaluation {
-    /// For each term: the exponents of the free variables, the value, and the ratio of the next
-    /// value to the current one.
+    /// For each term: the exponents of the variables without a value, the value of the other
+    /// factors, and the ratio of the next value to this one.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
 impl PowerEvaluation {
-    /// Starts at power 0 of the point `base`. Besides the main variable, the variable with index
-    /// `second` stays free.
+    /// Starts at power 0 of the point `base`. The main variable and the variable with index
+    /// `second` get no value.
     fn new(field: PrimeField, polynomial: &Residues, base: &[u64], second: Option<usize>) -> Self {
         let term = |(exponents, &coefficient): (&Vec<u32>, &u64)| {
             let other = second.map_or(0, |place| exponents[place] as usize);
@@ -179,8 +179,8 @@ impl PowerEvaluation {
         Self { terms: polynomial.iter().map(term).collect() }
     }
 
-    /// Goes to the next power of the point. Rows belong to powers of the main variable, columns to
-    /// powers of the second.
+    /// Goes to the next power of the point. The rows of the result are indexed by powers of the
+    /// main variable, and the columns by powers of the second variable.
     fn next(&mut self, field: PrimeField, rows: usize, columns: usize) -> BivariateCoefficients {
         let mut values = vec![vec![0; columns]; rows];
         for (row, column, value, ratio) in &mut self.terms {

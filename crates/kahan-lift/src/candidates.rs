@@ -34,8 +34,8 @@ pub(crate) struct SearchEffort {
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states. The work done since the start is represented
-    /// by 0.
+    /// The new variables as functions of the states. The work done by the forces has no formula in
+    /// the states, so 0 stands for it.
     pub(crate) new: Vec<Laurent>,
     /// Alternative quadratic fields, with the preferred field first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
@@ -92,8 +92,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
         let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
-    // Sums as coordinates give small sets. Their size limits the search without sums as
-    // coordinates.
+    // With sums as coordinates, the search finds small lifts. Their size limits the search without
+    // sums as coordinates.
     let grouped = equations.ring.grouped().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
     let mut candidates = lifts(&equations.ring, least);

@@ -61,7 +61,7 @@ impl LiftCriterion {
 /// At most this many quadratic fields are evaluated.
 const MOST_FOLLOWED: usize = 32;
 
-/// A candidate with one of its quadratic fields. The map preserves the relations `kept`.
+/// A candidate with one of its quadratic fields, and the relations that the map preserves.
 #[derive(Debug)]
 pub(crate) struct RatedCandidate<'a> {
     pub(crate) candidate: &'a Candidate,
@@ -77,7 +77,7 @@ pub(crate) fn choose<'a>(
     orbit: Option<&Orbit>,
 ) -> Option<(RatedCandidate<'a>, String)> {
     let mut judged: Vec<RatedCandidate<'_>> = Vec::new();
-    // The least preferred fields are dropped beyond the limit.
+    // The preferred fields of all candidates come first. Fields beyond the limit are dropped.
     let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
     for place in 0..most {
         for candidate in candidates {
@@ -88,7 +88,7 @@ pub(crate) fn choose<'a>(
         }
     }
     let exponent = |one: &RatedCandidate<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
-    // Functions of fewer variables are preferred, such as x² to x·p.
+    // Lifts whose new variables depend on few states are preferred, for example x² to x·p.
     let spread = |one: &RatedCandidate<'_>| {
         let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
@@ -151,8 +151,8 @@ pub(crate) fn choose<'a>(
     Some((least, chosen))
 }
 
-/// Computes the growth of errors in the order of the number of new variables. Lifts with more
-/// variables than a stable lift are dropped.
+/// Computes the growth of errors, first for lifts with few new variables. After a stable lift is
+/// found, lifts with more variables are dropped.
 fn followed<'a>(judged: Vec<RatedCandidate<'a>>, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
     let Some(orbit) = orbit else { return judged };
     let orders: BTreeSet<usize> = judged.iter().map(RatedCandidate::order).collect();
@@ -180,7 +180,7 @@ impl<'a> RatedCandidate<'a> {
 
     pub(crate) fn follow(&mut self, orbit: &Orbit) {
         let Candidate { ring, new, .. } = self.candidate;
-        // The final variable may be the work done since the start, without a relation.
+        // The last variable may be the work done by the forces, which has no relation.
         let known = new.iter().filter(|value| !value.is_zero()).count();
         self.growth = Some(orbit.growth(ring, &new[..known], &self.form));
     }
@@ -223,7 +223,7 @@ impl<'a> RatedCandidate<'a> {
     }
 
     /// Returns whether the map preserves one relation for each new variable. A sine and its cosine
-    /// share a relation.
+    /// need only one relation together.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
         let single = new.iter().filter_map(Laurent::as_monomial).filter(|one| one.size() == 1);

@@ -206,8 +206,7 @@ fn coefficient_rows(columns: &[Laurent]) -> Matrix {
     monomials.into_iter().map(row).collect()
 }
 
-/// Returns a potential with these partial derivatives. The potential is a combination of related
-/// monomials.
+/// Returns a function with these partial derivatives, as a combination of monomials.
 fn antiderivative(
     ring: &Ring,
     partials: &[Ring],

@@ -42,8 +42,8 @@ const NODES: usize = 20_000;
 pub struct NewVariable {
     /// The name of the variable.
     pub name: String,
-    /// The function of the states as text. `None` for the work done since the start, with initial
-    /// value 0.
+    /// The function of the states as text. `None` for the work done by the forces since the start,
+    /// with initial value 0.
     pub expression: Option<String>,
     value: Laurent,
 }

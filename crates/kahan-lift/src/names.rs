@@ -31,7 +31,7 @@ impl<'a> Writer<'a> {
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// Writes a term. Negative powers are in the denominator, and all exponentials are joined.
+    /// Writes a term. Negative powers become a denominator, and all exponentials become one.
     fn term(&self, monomial: &Monomial, coefficient: &RationalFunction, notation: &dyn Notation) -> String {
         let mut above = self.factors(coefficient.numerator(), notation);
         let mut below = self.factors(coefficient.denominator(), notation);
@@ -49,7 +49,6 @@ impl<'a> Writer<'a> {
         if below.is_empty() {
             return notation.product(&above);
         }
-        // A quotient encloses sums in parentheses itself.
         let side = |factors: &[String]| match factors {
             [sum] if sum.starts_with('(') && sum.find(')') == Some(sum.len() - 1) => {
                 sum[1..sum.len() - 1].to_owned()
@@ -59,7 +58,7 @@ impl<'a> Writer<'a> {
         notation.quotient(&side(&above), &side(&below))
     }
 
-    /// Splits off the exponent of the product of all exponentials.
+    /// Splits a monomial into the product of its exponentials, given by the exponent, and the rest.
     fn split_exponentials(&self, monomial: &Monomial) -> (Laurent, Vec<(usize, i16)>) {
         let mut sum = Laurent::zero();
         let mut rest = Vec::new();

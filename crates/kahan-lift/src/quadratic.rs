@@ -22,7 +22,8 @@ pub(crate) fn times(affine: &Quadratic, variable: usize) -> Option<Quadratic> {
     is_affine.then(|| affine.shifted(&Monomial::power(variable, 1)))
 }
 
-/// Returns a rational function in which parameters follow the variables of the lift.
+/// Returns a polynomial as a rational function in which parameters follow the variables of the
+/// lift.
 pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFunction {
     let number = |index: usize| Variable(u16::try_from(index).expect("a lift has few variables"));
     let shift = |polynomial: &Polynomial| {
@@ -45,8 +46,8 @@ pub(crate) struct Products<'a> {
     ring: &'a Ring,
     /// The states, then the functions of the new variables.
     variables: Vec<Laurent>,
-    /// Products that are a single monomial. The order of products determines the order of relations
-    /// in answers.
+    /// The products that are a single monomial. The order of the products for a monomial determines
+    /// the order of relations in results.
     direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
     /// Polynomials in the variables that vanish as functions of the states.
@@ -78,8 +79,8 @@ impl<'a> Products<'a> {
         products
     }
 
-    /// Solves products for their only unknown monomial, repeatedly. Products without unknown
-    /// monomials are relations.
+    /// Solves each product with one unknown monomial for this monomial, until nothing changes.
+    /// Products without unknown monomials are relations.
     fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();
@@ -143,14 +144,14 @@ impl<'a> Products<'a> {
         let mut ways = vec![Quadratic::default()];
         for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
             let mut pairs = self.direct.get(monomial).cloned().unwrap_or_default();
-            // A decay term in the variable itself is preferred, because it damps errors. Then
-            // states are preferred.
+            // A term −c·v in the equation of v is preferred, because it damps errors. Then states
+            // are preferred.
             let is_negative = coefficient.numerator().leading_term().is_some_and(|(_, c)| c.is_negative());
             let new = |pair: &Monomial| {
                 pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()
             };
             pairs.sort_by_key(|pair| (!(*pair == Monomial::power(of, 1) && is_negative), new(pair)));
-            // Quadratic equations of states stay as written.
+            // Equations of states that are quadratic stay as written.
             if of < states && pairs.first().is_some_and(|pair| new(pair) == 0) {
                 pairs.truncate(1);
             }

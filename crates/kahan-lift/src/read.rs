@@ -1,8 +1,8 @@
 //! Parses expressions into Laurent polynomials in coordinates.
 //!
-//! Functions become coordinates. Functions with commensurable arguments share one coordinate, with
-//! the greatest common divisor of the arguments. Passes over the equations are repeated until no
-//! divisor changes.
+//! Functions become coordinates. If arguments of a function are rational multiples of each other,
+//! one coordinate has their greatest common divisor as argument. Passes over the equations are
+//! repeated until no divisor changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
@@ -28,18 +28,17 @@ pub(crate) struct Reader {
     pub is_declared: bool,
     constants: Vec<(String, Laurent)>,
     pub ring: Ring,
-    /// Arguments of each kind of function up to rational multiples. The number is the greatest
-    /// common divisor of the multiples.
+    /// For each kind of function and each argument up to rational multiples: the greatest common
+    /// divisor of the multiples.
     units: Vec<(Family, Laurent, Rational)>,
 }
 
-/// Kinds of functions. Values at multiples of an argument are polynomials in each other.
+/// Kinds of functions whose values at integer multiples of u are polynomials in those at u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Family {
     Exponential,
     Circular,
     Hyperbolic,
-    /// Roots with a given index. The multiple is 1/index.
     Root,
 }
 
@@ -247,8 +246,8 @@ impl Reader {
         Monomial::power(coordinate, exponent.saturating_mul(finest / index))
     }
 
-    /// Updates the greatest common divisor of the multiples of an argument, and returns the
-    /// divisor.
+    /// Updates the greatest common divisor of all multiples of an argument by a new multiple, and
+    /// returns the divisor.
     fn unit(&mut self, family: Family, argument: &Laurent, multiple: &Rational) -> Rational {
         let known = self.units.iter_mut().find(|(of, known, _)| *of == family && known == argument);
         match known {
@@ -347,8 +346,8 @@ impl Reader {
         self.function(function, argument, slope)
     }
 
-    /// Returns exp u as a product over the terms of u. With a constant term, exp u is one
-    /// coordinate.
+    /// Returns exp u as the product of the exponentials of the terms of u. If u has a constant
+    /// term, exp u is one coordinate.
     fn exponential(&mut self, argument: &Laurent, span: Span) -> ReadResult<Laurent> {
         if argument.is_zero() {
             return Ok(Laurent::number(Rational::one()));

@@ -5,7 +5,7 @@ use crate::embedding::{CalledFunction, Embedding, Operation};
 use crate::ring::Function;
 
 const MOST_EVALUATIONS: usize = 40;
-/// Relative errors up to this multiple of 2⁻⁵² count as rounding.
+/// Relative errors up to this multiple of 2⁻⁵² are taken for rounding errors.
 const ROUNDING: f64 = 8.0;
 
 /// Steps of a lifted map with symmetric projection onto relations w = g(x).

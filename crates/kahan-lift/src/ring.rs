@@ -129,7 +129,7 @@ pub(crate) struct Ring {
     normal: PolynomialCache,
 }
 
-/// A cache of polynomials for threads that share a ring. A clone is empty.
+/// A cache of polynomials that several threads may use. A clone is empty.
 #[derive(Debug, Default)]
 struct PolynomialCache(Mutex<FxHashMap<Monomial, Laurent>>);
 

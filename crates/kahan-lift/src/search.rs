@@ -23,8 +23,8 @@ pub(crate) struct Problem {
     pub given: Vec<Monomial>,
     /// Polynomials that are already variables.
     pub sums: Vec<Laurent>,
-    /// Monomials that must be products of variables. Monomials in derivatives of new variables come
-    /// in addition.
+    /// Monomials that must be products of variables, together with the monomials in derivatives of
+    /// new variables.
     pub required: Vec<Monomial>,
     /// Coordinates that may have negative exponents in new variables.
     pub negative: BTreeSet<usize>,
@@ -47,7 +47,7 @@ const LOCAL_CHANGES: usize = 40;
 #[derive(Clone, Debug, Default)]
 struct MonomialCover {
     covered: FxHashSet<MonomialId>,
-    /// Products with several monomials not yet covered.
+    /// Products of variables that contain several monomials not yet covered.
     composite: Vec<Rc<[MonomialId]>>,
 }
 
@@ -63,7 +63,7 @@ impl MonomialCover {
         }
     }
 
-    /// Covers the only missing monomials of products until nothing changes.
+    /// Covers each monomial that is the only missing one in a product, until nothing changes.
     fn close(&mut self) {
         loop {
             let before = self.covered.len();
@@ -102,7 +102,7 @@ pub(crate) fn search(
 ) -> Option<VariableSets> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy(most);
-    // A limit from another ring is rarely reached after the greedy search failed.
+    // If the greedy search exceeds a limit from another ring, a full search rarely succeeds.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }
@@ -136,7 +136,8 @@ pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Laurent>> {
     for coordinate in &ring.coordinates {
         let CoordinateDefinition::Root(base, 1) = &coordinate.meaning else { continue };
         for (term, _) in base.terms() {
-            // For example, x⁴ is the square of x², and x³ is the product of x² and x.
+            // Powers are built from smaller ones: x⁴ is the square of x², and x³ is the product of
+            // x² and x.
             let mut power = term.clone();
             while power.size() > 1 {
                 let id = search.table.id(&power);
@@ -285,7 +286,7 @@ impl<'a> Search<'a> {
             && monomial.powers().all(|(coordinate, exponent)| exponent > 0 || negative.contains(&coordinate))
     }
 
-    /// Returns monomials that make `target` a product of two variables.
+    /// Returns monomials each of which, as a new variable, makes `target` a product of variables.
     fn singles(&mut self, target: MonomialId, new: &[MonomialId]) -> Vec<MonomialId> {
         let monomial = self.table.monomial(target).clone();
         let variables: Vec<MonomialId> = self.given.iter().chain(new).copied().collect();
@@ -395,8 +396,8 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Extends `new` to a closed set of at most `most` variables. With a nonzero `twist`, some
-    /// choices are random.
+    /// Extends `new` to a closed set of at most `most` variables. Different values of `twist` may
+    /// give different sets.
     fn closure(&mut self, mut new: Vec<MonomialId>, most: usize, twist: u64) -> Option<Vec<MonomialId>> {
         let mut cover = self.cover(&new);
         loop {

@@ -103,14 +103,14 @@ impl Orbit {
         Orbit { points, parameters: parameters.to_vec() }
     }
 
-    /// Computes the growth of errors along the orbit. The equations of `field` belong to the
-    /// states, then to the new variables.
+    /// Computes the growth of errors along the orbit. The list `field` has the equations of the
+    /// states, then those of the new variables.
     pub(crate) fn growth(&self, ring: &Ring, new: &[Laurent], field: &[Quadratic]) -> ErrorGrowth {
         let (states, count) = (ring.field.len(), new.len());
         if count == 0 {
             return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // First the entries of Dg, then those of ∂F/∂w.
+        // The list has the entries of Dg, then those of ∂F/∂w.
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {
@@ -128,7 +128,7 @@ impl Orbit {
         let mut matrix: Vec<f64> =
             (0..count * count).map(|place| if place % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
         let [mut first, mut second] = [matrix.clone(), matrix.clone()];
-        // Errors are relative to these sizes, so units of variables do not matter.
+        // Errors are divided by these sizes, so the scale of a variable does not matter.
         let mut sizes = vec![0.0_f64; count];
         for (_, x) in &self.points {
             let values = functions.values(x, &self.parameters);

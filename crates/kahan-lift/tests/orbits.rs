@@ -151,7 +151,6 @@ fn relations_of_default_lifts_hold_to_order_two_for_a_long_time() {
             let (states, new) = point.split_at(system.start.len());
             distance(new, &lift.embed(states, system.parameters))
         };
-        // The errors are O(ε²). The constant is that of the stiffest system.
         let [coarse, fine] = [error(0.01, 50_000), error(0.0025, 200_000)];
         assert!(coarse < 2e-2 && fine < 2e-3, "{}: {coarse:e}, {fine:e}", system.text);
     }

@@ -4,12 +4,12 @@ use kahan_syntax::rational::Rational;
 
 use super::{Arithmetic, OverRationals};
 
-/// The arithmetic of values with derivatives.
+/// The arithmetic of dual numbers, which computes derivatives together with values.
 #[derive(Debug)]
 pub struct Dual<'a, A> {
-    /// The arithmetic of values and derivatives.
+    /// The arithmetic in which values and derivatives are computed.
     pub base: &'a A,
-    /// The number of directions.
+    /// The number of derivatives of each value.
     pub directions: usize,
 }
 

@@ -103,8 +103,8 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// Returns whether |ε| lies in the range in which generated code multiplies by
-            /// reciprocals.
+            /// Returns whether |ε| is so far from 0 and from infinity that a step may multiply by
+            /// 1/ε.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }

@@ -26,7 +26,7 @@ impl From<Polynomial> for Function {
     }
 }
 
-/// The field of rational functions. All operations share one budget of work.
+/// The field of rational functions. All operations are charged to one budget of work.
 #[derive(Debug)]
 pub struct Functions {
     budget: RefCell<Budget>,
@@ -83,8 +83,8 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Cancels factors that divide `numerator` and have equally many terms. Other factors are
-    /// appended to `denominator`.
+    /// Divides `numerator` by factors of the denominator `below`, if both have equally many terms.
+    /// Factors that remain are appended to `denominator`.
     fn cancel(
         &self,
         numerator: &mut Polynomial,
@@ -155,7 +155,6 @@ impl Arithmetic for Functions {
         if self.is_zero(b) {
             return None;
         }
-        // Compute (a/A) / (b/B) without common factors of A and B.
         let without = |own: &[(Polynomial, u32)], other: &[(Polynomial, u32)]| -> Vec<(Polynomial, u32)> {
             let left = own
                 .iter()

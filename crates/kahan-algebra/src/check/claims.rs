@@ -16,7 +16,7 @@ use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{NameMeaning, Scope};
 use super::stand_in::StandIn;
 
-/// Compiles the claims in order. The stand-in for the block also declares claims with mistakes.
+/// Compiles the claims in order. Claims with mistakes are left out, but `stand_in` declares them.
 pub(super) fn compile_all(
     block: &Block,
     components: &[RationalFunction],
@@ -66,7 +66,7 @@ pub(super) fn compile_all(
                 compiler.functions.insert(claim.name.text.clone(), *output);
             }
             Some(_) => {}
-            // This mistake is already reported. Claims that use this claim are dropped without a
+            // The mistake is already reported, so claims that use this name are dropped without a
             // report.
             None => compiler.scope.poison(&claim.name.text),
         }

@@ -84,8 +84,8 @@ fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
     RationalFunction::new(above, below).map_or_else(Polynomial::zero, |quotient| quotient.numerator().clone())
 }
 
-/// Returns the parameters in order of occurrence, then ε. Returns `Ok(None)` after a reported
-/// mistake.
+/// Returns the parameters in a relation in order of occurrence, then ε. Returns `Ok(None)` after a
+/// reported mistake.
 fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<Variable>>, Diagnostic> {
     let mut found: Vec<(String, Span)> = Vec::new();
     condition.visit_names(&mut |name, span| found.push((name.to_string(), span)));

@@ -3,8 +3,8 @@
 //! The numerator p is a polynomial in states and parameters, and q contains no state. Limits on
 //! sizes bound compile times. The caller checks the degree of the result.
 //!
-//! The [written form](crate::subexpressions) is stored beside p/q. The written form is dropped if a
-//! name, a leading term or a divisor cancels.
+//! The [written form](crate::subexpressions) is stored beside p/q, unless a name, a leading term or
+//! a divisor cancels in p/q.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -24,7 +24,7 @@ use super::names::{NameMeaning, Scope};
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 300_000;
 const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
-/// Longer sums are stored without the order of addition.
+/// For sums of more terms, the order in which terms are written is not stored.
 const MOST_IN_ORDER: usize = 64;
 /// Powers of sums with a larger degree in the states are not expanded.
 const HIGHEST_DEGREE: u64 = 64;
@@ -37,7 +37,7 @@ pub(super) struct Expansion {
     pub(super) denominator: Polynomial,
     /// The written form. `None` if it equals `numerator` and has no divisor.
     kept: Option<Polynomial>,
-    /// The terms of a sum in order of addition. Sums of two terms have no list.
+    /// The terms of a sum in order of addition, if the sum has 3 to 64 terms.
     order: Vec<Polynomial>,
 }
 
@@ -63,7 +63,7 @@ impl Expansion {
     }
 }
 
-/// Expands an expression. Sums and divisors become named subexpressions in `values`.
+/// Expands an expression, and adds its sums and divisors to `values` as named subexpressions.
 pub(super) fn expand(
     expr: &Expr,
     scope: &Scope,
@@ -127,7 +127,7 @@ impl Target for Fractions<'_> {
         Expansion { numerator: -&a.numerator, denominator: a.denominator, kept, order }
     }
 
-    /// Adds terms with equal denominators first. Long sums then cost no more than sorting.
+    /// Adds terms with equal denominators first. The cost of a long sum is then that of sorting.
     fn sum(&mut self, terms: Vec<(bool, Expansion)>, span: Span) -> Result<Expansion, Diagnostic> {
         if terms.iter().map(|(_, term)| term.numerator.len()).sum::<usize>() > 4 * MOST_TERMS {
             return Err(too_large(span));
@@ -191,7 +191,6 @@ impl Target for Fractions<'_> {
                 Expansion { denominator: numerator.clone(), ..Expansion::polynomial(denominator.clone()) }
             }
         };
-        // The quotient 1/(1/p) is p.
         let is_single = inverse.denominator.is_one() || !denominator.is_one();
         let kept = if is_single {
             None
@@ -296,8 +295,8 @@ impl Fractions<'_> {
         a.mul_within(b, &mut self.budget).map_err(|_| too_large(span))
     }
 
-    /// Returns the sum as written and the terms in order of addition. The sum is `None` if it
-    /// equals the sum of numerators.
+    /// Returns the sum of the written forms, and its terms in order of addition. The sum is `None`
+    /// if it does not differ from the expanded sum.
     fn kept_sum(
         &mut self,
         terms: &[(bool, Expansion)],
@@ -320,13 +319,13 @@ impl Fractions<'_> {
         Ok((kept, order.into_iter().map(|(_, term)| term).collect()))
     }
 
-    /// Returns the written form as a factor of a product. Sums become named subexpressions.
+    /// Returns the written form for use as a factor. A sum becomes a named subexpression.
     fn factor(&mut self, of: &Expansion) -> Polynomial {
         let Some((first, others)) = of.order.split_first() else { return self.values.factor(of.kept()) };
         others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))
     }
 
-    /// Returns the product as written. Returns `None` if it equals the product of numerators.
+    /// Returns the product of the written forms, or `None` if it equals the expanded product.
     fn kept_product(&mut self, a: &Expansion, b: &Expansion) -> Option<Polynomial> {
         let is_sign = |value: Rational| (&value * &value).is_one();
         let is_single = |of: &Expansion| of.kept.is_none() && of.numerator.len() < 2;
@@ -385,7 +384,7 @@ pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, deg
     Diagnostic::new(Kind::Degree, span, message, help)
 }
 
-/// Suggests a new variable for a nonquadratic function. Families are not lifted.
+/// Returns a hint to introduce a variable for a function that is not quadratic.
 fn instead_of(new: &str, function: &str) -> String {
     let by = if new.contains('[') { "introduce a new variable" } else { LIFTS };
     let such_as = if new.contains('[') { "" } else { ", for example with" };

@@ -114,7 +114,7 @@ struct Names {
 }
 
 impl Names {
-    /// Collects the names of a family. Parameters with an index belong to sites.
+    /// Collects the names of a family. A parameter with an index is a parameter of each site.
     fn of(block: &Block, declared: &Symbols) -> Self {
         let (mut reach, mut at_sites) = (1, FxHashSet::default());
         for (reference, _) in references(block) {
@@ -256,8 +256,8 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports site parameters that are undefined beyond an end of the chain. A state at the same site
-/// or farther out makes a term 0, so the term is allowed.
+/// Reports site parameters that are undefined beyond an end of the chain. A term with a state at
+/// the same site or farther out is 0 there, so it is allowed.
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =

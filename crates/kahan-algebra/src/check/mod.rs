@@ -31,12 +31,12 @@ pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
 const MOST_EQUATIONS: usize = 10_000;
-/// The limit for states, parameters, constants and claims of a block together. An array counts once
-/// for each site of the stencil.
+/// The limit for states, parameters, constants and claims of a block together. An array has one
+/// name for each site of the stencil.
 const MOST_NAMES: usize = 10_000;
 const MOST_CLAIMS: usize = 500;
 
-/// Returns the diagnostic for a family in place of a plain system.
+/// Returns the diagnostic for a family where a system with a number of sites is needed.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     let message = "a family of equations stands here, and the number of its sites is not known";
@@ -79,7 +79,7 @@ impl Checked {
     /// Returns the system of a block with plain equations.
     ///
     /// # Errors
-    /// Returns the mistakes. A family is also a mistake.
+    /// Returns the mistakes. If the block is a family, this is a mistake, too.
     pub fn system(self) -> Result<System, Vec<Diagnostic>> {
         match self {
             Checked::System(system) => Ok(system),
@@ -149,7 +149,7 @@ pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Di
     if mistakes.is_empty() { Ok(claims) } else { Err(mistakes) }
 }
 
-/// Checks plain equations. Returns the system only without mistakes.
+/// Checks plain equations. Returns the system only if there are no mistakes.
 pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if report_size(&block, diagnostics) {
         return (StandIn::of_type(block.header), None);

@@ -30,12 +30,12 @@ pub(super) struct Scope {
     places: FxHashMap<String, Symbol>,
     pub(super) constants: FxHashMap<String, Option<Rational>>,
     pub(super) claims: Vec<String>,
-    /// Mistakes of these names are already reported.
+    /// Names with mistakes that are already reported.
     poisoned: FxHashSet<String>,
     used: FxHashSet<String>,
     all_claims: FxHashSet<String>,
     misspelt_states: Vec<String>,
-    /// The number of products of terms in all expansions.
+    /// The number of multiplications of terms in all expansions.
     pub(super) products: Cell<u64>,
 }
 
@@ -212,7 +212,7 @@ impl Scope {
         nearest(name, &candidates).cloned()
     }
 
-    /// Reports unused parameters of the header. Initial values of a lift count as uses.
+    /// Reports unused parameters of the header. Initial values of a lift also use parameters.
     pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
         let unread = block.lift.is_some()
             || block.equations.iter().any(|equation| equation.value.is_none())
@@ -229,7 +229,7 @@ impl Scope {
         }
     }
 
-    /// Returns whether `name` is free. Reports other names.
+    /// Returns whether `name` is neither declared nor reserved. Reports a mistake otherwise.
     pub(super) fn is_free(&self, name: &Name, what: &str, diagnostics: &mut Diagnostics) -> bool {
         let text = &name.text;
         let taken = if self.is_state_name(text) {
@@ -269,7 +269,8 @@ fn base_of_derivative(name: &str) -> Option<String> {
     name.strip_suffix("dot").map(str::to_owned).or_else(|| Some(without_dots(name)?.0))
 }
 
-/// Returns whether an undeclared name is the time or the derivative of a state.
+/// Returns whether an undeclared name is the time or the derivative of a state, and therefore never
+/// becomes a parameter.
 pub(super) fn is_never_free(name: &str, is_state: impl Fn(&str) -> bool) -> bool {
     name == TIME || base_of_derivative(name).is_some_and(|base| is_state(&base))
 }

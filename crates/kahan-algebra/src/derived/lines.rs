@@ -17,7 +17,7 @@ use super::names::constant_names;
 /// The position of an entry of A(x,ε) in the rows of one site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EntryPosition {
-    /// The index of the array to which the row belongs.
+    /// The row, which is an index among the arrays of a site.
     pub row: usize,
     /// The column, which is an index among the states of the stencil. States are ordered by site,
     /// then by array.
@@ -34,22 +34,22 @@ pub struct Lines {
     pub symbols: Symbols,
     /// The plan that computes the prepared constants from ε and the parameters of the chain.
     pub constants: Plan,
-    /// The plan of the field and of entries of A. The outputs belong to the arrays, then to the
-    /// [`entries`](Self::entries).
+    /// The plan of the field and of entries of A at one site. The outputs are the components of the
+    /// field by array, then the [`entries`](Self::entries).
     pub rows: Plan,
     /// The plan of the summands of claims at one site. The integrals come first, then the
     /// Hamiltonian.
     pub sums: Plan,
     /// The positions of the entries of A that are not identically zero.
     pub entries: Vec<EntryPosition>,
-    /// The lower bandwidth of A in unknowns.
+    /// The lower bandwidth of A as a number of states, not of sites.
     pub lower: usize,
-    /// The upper bandwidth of A in unknowns.
+    /// The upper bandwidth of A as a number of states, not of sites.
     pub upper: usize,
 }
 
 impl Family {
-    /// Derives the plans of a site. The cost is about that of the equations.
+    /// Derives the plans of a site. The cost depends on the equations, not on the number of sites.
     #[must_use]
     pub fn lines(&self) -> Lines {
         let given = self.line_symbols();

@@ -52,10 +52,10 @@ pub struct Derived {
     /// The unconditional brackets by name. Each plan has the entries above the diagonal, row by
     /// row.
     pub brackets: Vec<(String, Plan)>,
-    /// The unconditional drifts by name. Each plan computes F(x) and F(x̃).
+    /// The unconditional drifts by name. Each plan computes F(x) and the claimed value of F(x̃).
     pub drifts: Vec<(String, Plan)>,
-    /// The plans of the conditional claims. Each plan also computes the values for which conditions
-    /// are solved.
+    /// The plans of the conditional claims. A name that a condition determines is replaced by its
+    /// value.
     pub conditional: Vec<Plan>,
     made: LazyPlans,
 }
@@ -116,13 +116,14 @@ struct PlannedField {
 }
 
 impl PlannedField {
-    /// Returns the field with named constants, unless names hide a factor that `map` divides out.
+    /// Returns the field in which constant subexpressions are parameters. If a factor of the map
+    /// then no longer cancels, returns the plain field.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return PlannedField { with_constants: with, map: map.cloned() };
         };
-        // With named constants, ε² is a parameter, so degrees in ε cannot be compared.
+        // If the field depends on ε, ε² becomes a parameter, so degrees in ε cannot be compared.
         let counts_eps = !system.field.depends_on_eps();
         let is_as_short = |own: &RationalMap| {
             let (symbols, others) = (&with.field.symbols, &system.field.symbols);
@@ -174,7 +175,7 @@ impl Derived {
     ///
     /// fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j,
     ///
-    /// ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where the term k = j counts twice.
+    /// ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where the term k = j is doubled.
     ///
     /// Plans of f and its derivatives add terms in this order and skip zero coefficients.
     pub fn coefficients(&self) -> Option<&Plan> {
@@ -187,7 +188,7 @@ impl Derived {
         self.dense().is_some()
     }
 
-    /// Returns the [coefficients](Self::coefficients) if all are numbers.
+    /// Returns the [coefficients](Self::coefficients) if the field has them and all are numbers.
     pub fn numbers(&self) -> Option<Vec<&Rational>> {
         self.dense()?.numbers()
     }
@@ -218,17 +219,17 @@ impl Derived {
         })
     }
 
-    /// Returns the plan of the bilinear form Q(x,y). The second states are y.
+    /// Returns the plan of the field's bilinear form Q(x,y). The second states are y.
     pub fn bilinear(&self) -> &Plan {
         self.made.bilinear.get_or_init(|| self.over_divisors(bilinear_form))
     }
 
-    /// Returns the plan of Q(x,y) + ½B(x+y) + c. The second states are y.
+    /// Returns the plan of the polarised field Q(x,y) + ½B(x+y) + c. The second states are y.
     pub fn polarized(&self) -> &Plan {
         self.made.polarized.get_or_init(|| self.over_divisors(polarization))
     }
 
-    /// Returns the plan of the right-hand side b(x,ε).
+    /// Returns the plan of the right-hand side b of A(x,ε)·x̃ = b(x,ε).
     pub fn rhs(&self) -> &Plan {
         self.made.rhs.get_or_init(|| self.over_divisors(scaled_rhs))
     }
@@ -248,7 +249,8 @@ impl Derived {
         with.put_into(&quotients(polynomials.iter().zip(with.field.denominators())))
     }
 
-    /// Returns the straight-line plan of the step. Returns `None` if every step eliminates.
+    /// Returns the straight-line plan of the step. Returns `None` if each step must eliminate
+    /// variables, as for large fields.
     ///
     /// The first call takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
@@ -261,7 +263,8 @@ impl Derived {
         self.made.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()
     }
 
-    /// Returns the elimination of A(x,ε) for a step without a straight-line plan.
+    /// Returns the plan of Gaussian elimination in A(x,ε). Returns `None` if the step has a
+    /// straight-line plan.
     ///
     /// The first call plans the [`step`](Self::step) and searches for an elimination order.
     pub fn couplings(&self) -> Option<&Couplings> {
@@ -275,8 +278,9 @@ impl Derived {
         self.made.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
 
-    /// Returns the plan that maps a tangent vector v to (∂x̃/∂x)·v, given x, v and x̃. Returns
-    /// `None` if the reduced map is defined at zeros of det A, or if every short form loses digits.
+    /// Returns the plan of (∂x̃/∂x)·v for a tangent vector v, given x, v and x̃. Returns `None` if
+    /// the step has no straight-line plan, if a common factor was divided out of the map, or if all
+    /// short plans lose digits.
     ///
     /// The symbols are those of the [variational](System::variational) field. States are x and v,
     /// and the first half of the second states is x̃. The first call costs about as much as

@@ -1,5 +1,5 @@
 //! Names the values of a plan after their formulas, such as `two_eps` and `one_plus_eps_x`. Values
-//! with long formulas get numbers. Generated code and listings share the names.
+//! with long formulas get numbers. Generated code and listings use the names.
 
 use rustc_hash::FxHashSet;
 
@@ -38,7 +38,7 @@ impl ValueNames {
         }
     }
 
-    /// Reserves the names in `taken`.
+    /// Returns these names without the names in `taken`, which no value will get.
     #[must_use]
     pub fn without(self, taken: impl IntoIterator<Item = String>) -> Self {
         ValueNames { taken: taken.into_iter().collect(), ..self }

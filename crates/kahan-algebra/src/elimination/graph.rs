@@ -20,8 +20,6 @@ pub(super) struct FilledPattern {
 pub(super) struct FilledRow {
     pub(super) columns: Vec<usize>,
     pub(super) diagonal: usize,
-    /// The end of the columns that later rows read from this row. Later rows inherit the remaining
-    /// columns from other rows.
     looked_at: Option<usize>,
 }
 
@@ -70,7 +68,7 @@ impl Graph {
     }
 
     /// Eliminates in this order and returns all entries with fill-in. Returns `None` if elimination
-    /// needs more products than `bound`.
+    /// needs more multiplications than `bound`.
     ///
     /// A row inherits the columns right of the diagonal from the rows of its pivots. Suppose that
     /// row p has an entry in column q, and row q one in column p. Then row q inherits the columns

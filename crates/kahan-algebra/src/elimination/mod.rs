@@ -25,13 +25,14 @@ pub const MOST_EXPANDED: usize = 8;
 /// The most variables that a block of `kahan!` may have in compiled code.
 pub const MOST_VARIABLES: usize = 200;
 const MOST_PARAMETERS: usize = 2000;
-/// The most nonzero entries of f′ in compiled code for many variables.
+/// The most nonzero entries of f′ in a block of `kahan!` with many variables.
 const MOST_SLOPES: usize = 1500;
 
-/// Eliminations with more products are written as loops.
+/// Eliminations with more multiplications are written as loops.
 const MOST_STRAIGHT: usize = 1500;
 
-/// The entries of A(x,ε) by rows. Rows and columns are numbered in order of elimination.
+/// The entries of A(x,ε) that may become nonzero during elimination, by rows. Rows and columns are
+/// numbered in order of elimination.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Couplings {
     /// The variable that is eliminated at each position.
@@ -73,7 +74,7 @@ pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> 
     })
 }
 
-/// Returns the diagnostic for a field with too many couplings.
+/// Returns a diagnostic if the field has too many variables or too many nonzero entries of f′.
 #[must_use]
 pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
     let variables = field.dimension();
@@ -94,8 +95,8 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// Returns the couplings of a field with Jacobian `slopes` in terms of the subexpressions
-    /// `values`.
+    /// Returns the entries of A for a field with Jacobian `slopes`, whose entries may contain the
+    /// subexpressions `values`.
     #[must_use]
     pub(crate) fn of(values: &Subexpressions, slopes: &SparseRows) -> Self {
         let depends: Vec<Vec<usize>> =
@@ -133,7 +134,7 @@ impl Couplings {
         Couplings { order, rows, columns, blocks: ends, places, slopes }
     }
 
-    /// Returns the couplings of a dense field, with all entries in the order of the variables.
+    /// Returns the entries of A for a dense field: all n² entries, row by row.
     #[must_use]
     pub(crate) fn of_all(dense: &DenseField) -> Self {
         let n = dense.dimension();
@@ -155,7 +156,7 @@ impl Couplings {
         self.products() <= MOST_STRAIGHT
     }
 
-    /// Returns the cost of a step. A product that is subtracted counts as two operations.
+    /// Returns the cost of a step. Subtracting a product is counted as two operations.
     #[must_use]
     pub fn cost(&self, field: &Plan) -> StepCost {
         let (of_slopes, of_field, n) = (self.slopes.cost(), field.cost(), self.order.len());
@@ -194,7 +195,7 @@ impl Couplings {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    //! Random couplings to test blocks, orders and fill-in.
+    //! Random lists of dependences to test blocks, orders and fill-in.
 
     use kahan_syntax::table::distinct;
 
@@ -210,7 +211,7 @@ pub(crate) mod tests {
         order
     }
 
-    /// Returns a random list of dependences for each variable. All are mutual if `mutual` is true.
+    /// Returns for each variable a random list of variables on which it depends.
     pub(crate) fn random_rows(random: &mut SplitMix64, n: usize, mutual: bool) -> Vec<Vec<usize>> {
         let mut rows = vec![Vec::new(); n];
         for _ in 0..n * (1 + below(random, 5)) / 2 {

@@ -27,7 +27,7 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
     (order, filled)
 }
 
-/// Returns the order of the text, the best order for band matrices.
+/// Returns the variables in the order of their equations, which suits band matrices.
 fn as_written(count: usize) -> Vec<usize> {
     (0..count).collect()
 }

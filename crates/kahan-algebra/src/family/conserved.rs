@@ -74,10 +74,9 @@ pub(super) fn too_long(name: &Name) -> Diagnostic {
     Diagnostic::new(Kind::TooLarge, name.span, message, help)
 }
 
-/// Returns whether the sum contains no state, like `sum(x[i+1] - x[i])` in a ring.
+/// Returns whether the sum over all sites contains no state, as `sum(x[i+1] - x[i])` in a ring.
 fn is_constant(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
-    // The derivatives of the sum by the states of the middle site.
     let mut slopes: FxHashMap<(usize, SiteRange), RationalFunction> = FxHashMap::default();
     for (monomial, value) in density.numerator().terms() {
         let mut variables = monomial.powers().iter().map(|(variable, _)| *variable);
@@ -98,11 +97,10 @@ fn is_constant(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> W
     Ok(slopes.values().all(RationalFunction::is_zero))
 }
 
-/// Returns whether the derivative of the sum along the field vanishes in every chain. Divisors are
-/// compared separately, so `false` proves nothing.
+/// Returns whether the derivative of the sum along the field vanishes in every chain. Terms with
+/// different divisors are compared separately, so `false` proves nothing.
 pub(super) fn cancels(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
-    // The sums of coefficients by divisor, monomial and number of sites.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
     for state in
         density.numerator().variables().into_iter().filter(|&state| middle.chain.symbols.is_state(state))

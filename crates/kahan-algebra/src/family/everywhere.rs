@@ -17,7 +17,7 @@ use super::Family;
 use super::expand::Chain;
 
 const MOST_TERMS: usize = 100_000;
-/// The proof of one claim takes at most this many products of terms.
+/// The proof of one claim takes at most this many multiplications of terms.
 pub const MOST_WORK: u64 = 300_000;
 
 pub(super) fn budget() -> Budget {
@@ -83,7 +83,8 @@ impl<'a> MiddleSite<'a> {
         SiteRange { first: site, last: site }
     }
 
-    /// Returns the extent of a monomial together with `place`.
+    /// Returns the smallest extent with `place` and the sites of a monomial. In a ring, returns
+    /// `place`.
     pub(super) fn extent(&self, monomial: &Monomial, place: SiteRange) -> SiteRange {
         if self.chain.family.boundary == Boundary::Periodic {
             return place;

@@ -94,7 +94,7 @@ impl Chain<'_> {
 
     /// Moves a function of site i to `site`. Returns `None` if the denominator vanishes there.
     pub(super) fn moved(&self, function: &RationalFunction, site: usize) -> Option<RationalFunction> {
-        // A factor beyond the end of an open chain makes the term zero.
+        // A variable beyond the end of an open chain is 0, so its terms are dropped.
         let moved = |monomial: &Monomial| -> Option<Monomial> {
             let powers = monomial.powers().iter();
             powers.map(|&(variable, power)| Some((self.moved_variable(variable, site)?, power))).collect()

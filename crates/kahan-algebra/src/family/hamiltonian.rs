@@ -1,4 +1,5 @@
-//! Finds the constant antisymmetric matrix K with ẋ = K∇H, as a stencil.
+//! Finds a constant antisymmetric matrix K with ẋ = K∇H. Its entries depend only on the two arrays
+//! and on the distance of the two sites.
 //!
 //! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f. This follows from x̃ − x
 //! = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
@@ -55,7 +56,8 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
     }
 }
 
-/// Returns the positions of the entries of K above the diagonal.
+/// Returns the unknown entries of K, as the array of the row, the array of the column, and the
+/// distance of their sites.
 fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     let arrays = 0..family.block();
     let pairs = arrays.clone().flat_map(|row| arrays.clone().map(move |column| (row, column)));
@@ -84,7 +86,7 @@ struct Term {
 struct RowTerm {
     monomial: Monomial,
     extent: SiteRange,
-    /// The index of the unknown entry of K in the term. For terms of ẋ, the number of unknowns.
+    /// The index of the unknown entry of K in the term. A term of ẋ has the number of all unknowns.
     unknown: usize,
     coefficient: Polynomial,
 }
@@ -109,8 +111,8 @@ pub(super) fn missing(
         site: middle.site - extent.first,
         sites: extent.sites(),
     };
-    // Far from the ends, terms with equal monomials are combined. The terms of ẋ come first,
-    // because reports name one of them.
+    // In long chains, terms with equal monomials must cancel. Equations with a term of ẋ come
+    // first, so that reports name such a term.
     let long = SiteRange { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
@@ -123,7 +125,7 @@ pub(super) fn missing(
             }
         }
     }
-    // The terms of each extent must cancel separately. Shorter chains come first.
+    // Terms with equal extent and monomial must cancel. Short extents come first.
     for (array, mut terms) in rows.into_iter().enumerate() {
         let order = |term: &RowTerm| (term.extent.sites(), term.extent.first);
         terms.sort_by_key(order);
@@ -188,7 +190,7 @@ fn row(
     }
     for (unknown, &(row, column, offset)) in unknowns.iter().enumerate() {
         let offset = offset as i64;
-        // Each entry of K has a negative on the other side of the diagonal.
+        // K is antisymmetric, so each unknown also stands for an entry with the opposite sign.
         for (_, other, offset, sign) in
             [(row, column, offset, 1), (column, row, -offset, -1)].iter().filter(|(of, ..)| *of == array)
         {

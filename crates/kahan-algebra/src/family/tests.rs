@@ -121,7 +121,6 @@ fn random_families_are_the_chains_that_one_writes_out() {
         for sites in 1..=8 {
             let system = checked.at_sites(sites as usize).expect("no site divides by zero");
             let plain = reading(&family.chain(sites)).system().expect("a system");
-            // A block without a header orders its parameters by first use.
             let names = |system: &crate::system::System| {
                 let symbols = system.field.symbols.clone();
                 let component = |component: &crate::rational_function::RationalFunction| {
@@ -164,7 +163,6 @@ fn holds(text: &str) -> bool {
 
 #[test]
 fn sums_that_telescope_are_kept_and_others_are_not() {
-    // Each case is a flux between sites. Some fluxes vanish at the ends.
     for (flux, before, ends) in [
         ("x[i]*x[i+1]", "x[i-1]*x[i]", true),
         ("x[i]^2", "x[i-1]^2", false),
@@ -213,7 +211,6 @@ fn constant_stencils_are_found_where_they_are() {
     assert!(!holds(
         "for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2 + 1; } hamiltonian H = sum(x[i]^3 + x[i]);"
     ));
-    // The field of coupled oscillators with cubic springs.
     let oscillators = |boundary: &str, force: &str| {
         format!(
             "for i in {boundary} {{ q[i]dot = p[i]/m; p[i]dot = {force}; }} \
@@ -286,7 +283,6 @@ fn what_holds_far_from_the_ends_may_fail_near_them_at_any_reach() {
         };
         let middle = format!("x[i+{reach}] - 2*x[i] + x[i-{reach}]");
         assert!(!holds(&family("y[i]", &middle)));
-        // Near an end, only one of the two summands exists.
         assert!(!holds(&family("y[i]", &format!("{middle} + x[i]"))));
     }
     for reach in [1, 3, 16] {

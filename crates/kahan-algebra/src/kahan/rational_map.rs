@@ -17,7 +17,7 @@ use super::minors::maximal_minors;
 /// The most terms of the map, and of each minor. Larger maps are evaluated by elimination.
 pub const TERM_BUDGET: usize = 500;
 
-/// The most products of terms for one map. Unoptimised code computes them in some tens of
+/// The most multiplications of terms for one map. Unoptimised code computes them in some tens of
 /// milliseconds.
 const WORK_BUDGET: u64 = 40_000;
 
@@ -88,8 +88,8 @@ impl Reduced {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Returns whether all degrees in the states equal those of `other`. If `counts_eps`, ε counts
-    /// as a state.
+    /// Returns whether all degrees equal those of `other`. Degrees are those in the states and, if
+    /// `counts_eps` is true, in ε.
     #[must_use]
     pub(crate) fn is_as_short(
         &self,
@@ -125,7 +125,8 @@ impl Reduced {
             lowered.push(increment.div_within(&common_factor, budget)?.expect("a common divisor divides"));
         }
         let denominator = denominator.div_within(&common_factor, budget)?.expect("a common divisor divides");
-        // A constant term 1 of the denominator gives the smallest rounding errors near ε = 0.
+        // The denominator is scaled to the constant term 1, which keeps rounding errors near ε = 0
+        // small.
         let constant = denominator.coefficient(&crate::poly::Monomial::one());
         let scale = constant.recip().unwrap_or_else(Rational::one);
         Ok(Reduced {

@@ -7,10 +7,10 @@ use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one}
 /// in the parameters.
 pub(super) type Relation = Vec<(usize, Polynomial)>;
 
-/// Returns a basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ, with cₖ free of states.
+/// Returns a basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ. No cₖ contains a state.
 ///
-/// The last index of a relation occurs in no other relation. In every subspace of relations, the
-/// last indices are among those of the basis.
+/// The last index of a relation occurs in no other relation of the basis. Every combination of
+/// relations has one of these last indices.
 pub(super) fn linear_relations(
     vectors: &[Polynomial],
     is_state: impl Fn(Variable) -> bool,
@@ -58,8 +58,8 @@ pub(super) fn linear_relations(
     with_last.collect()
 }
 
-/// Returns an equation for each monomial in the states. Also marks and removes the coefficients
-/// that an equation with one term makes zero.
+/// Returns a linear equation for each monomial in the states, and marks coefficients that are 0. An
+/// equation with a single term makes its coefficient 0 and is removed.
 fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Vec<Row>, Vec<bool>) {
     let mut entries: Vec<(Monomial, usize, Polynomial)> = Vec::new();
     for (column, vector) in vectors.iter().enumerate() {

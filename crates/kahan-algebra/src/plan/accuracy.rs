@@ -2,10 +2,10 @@
 //! pivoting.
 //!
 //! Digits are lost if leading terms of minors cancel, or if large entries of εf′ stand beside a
-//! pivot of 1. Each form runs in floats of 30 bits, at seeded points with ‖εf′‖∞ near 1, 10, 100
-//! and 1000. Elimination with pivoting also runs in 30 bits, and in 53 bits as reference. Errors
-//! are multiples of the unit roundoff u. A form beyond the limits is refused if another form stays
-//! well within.
+//! pivot of 1. Each form of a step runs in floats of 30 bits, at seeded points with ‖εf′‖∞ near 1,
+//! 10, 100 and 1000. Elimination with pivoting also runs in 30 bits, and in 53 bits as reference.
+//! Errors are multiples of the unit roundoff u. Limits for errors are multiples of those of
+//! elimination.
 
 mod float_plan;
 mod sample_step;
@@ -29,25 +29,25 @@ const FEW: usize = 25;
 const MANY: usize = 100;
 /// The limit for the ratio of a step's median error to that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// Smaller median errors of elimination, in units of the unit roundoff, count as this value.
+/// Smaller median errors of elimination, as multiples of the unit roundoff, are replaced by this.
 const SMALL: f64 = 10.0;
-/// The limit for the ratio of a step's tail of errors to that of elimination.
+/// The limit for the ratio of a step's error to that of elimination at the quantile `TAIL`.
 const TAIL_FACTOR: f64 = 60.0;
-/// Tails of errors up to this multiple of the unit roundoff are accepted.
+/// Errors up to this multiple of the unit roundoff are accepted at the quantile `TAIL`.
 const SMALL_TAIL: f64 = 1000.0;
-/// A step beyond the limits by this factor is refused if another step can replace it.
+/// A step is refused if its errors exceed their limits by this factor and another step exists.
 const REFUSED: f64 = 1.5;
-/// A step within this fraction of the limits can replace a refused step.
+/// A step can replace a refused step if its errors are at most this fraction of their limits.
 const KEPT: f64 = 1.0 / 6.0;
-/// No second round is needed if the largest likely ratio of errors to limits is smaller.
+/// A second round is skipped if the largest likely ratio of errors to limits is below this.
 const CLEAR: f64 = 0.2;
-/// No second round is needed if the measured ratio of errors to limits is larger.
+/// A second round is skipped if the measured ratio of errors to limits is above this.
 const DOUBTFUL: f64 = 3.0 * REFUSED;
 /// With probability 0.9, the true median is between the quantiles ½ ± BAND/√n of n errors.
 const BAND: f64 = 0.8;
-/// The planner claims accuracy up to this fraction of the limits only.
+/// A step is called accurate if its errors are at most this fraction of their limits.
 const CLAIMED: f64 = 0.6;
-/// The quantile that serves as tail of the errors.
+/// The quantile that stands for the large errors of a step.
 const TAIL: f64 = 0.9;
 
 /// The sample points of every size, with the errors of elimination.
@@ -88,8 +88,8 @@ impl<'a> Accuracy<'a> {
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
     }
 
-    /// Returns whether a tangent plan is accurate enough. The plan maps x, v and x̃ to ṽ. `self`
-    /// must belong to the variational field.
+    /// Returns whether a plan that maps x, v and x̃ to ṽ is accurate enough. The sample points must
+    /// be those of the variational field.
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
         let program = FloatPlan::of(carry);
         let n = carry.outputs.len();
@@ -114,7 +114,7 @@ fn points(field: &Field, count: usize) -> Vec<Vec<SampleStep>> {
 }
 
 impl AccuracyLoss {
-    /// Returns whether a more accurate step is preferred.
+    /// Returns whether errors are so large that a more accurate step is preferred.
     pub(super) fn is_refused(&self) -> bool {
         self.worst() > REFUSED
     }
@@ -128,8 +128,8 @@ impl AccuracyLoss {
         self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
     }
 
-    /// Returns the largest size up to which the step is certainly accurate. Returns 0 without such
-    /// a size.
+    /// Returns the largest size ‖εf′‖∞ up to which the step is accurate. Returns 0 without such a
+    /// size.
     pub(super) fn holds_to(&self) -> u32 {
         let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED);
         held.last().map_or(0, |(size, _)| *size)
@@ -162,7 +162,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Returns the larger ratio of errors to limits among median and tail.
+/// Returns the ratio of errors to their limit at the median or at `TAIL`, whichever is larger.
 fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     if trials.len() < FEW {
         return Ratio { measured: 0.0, largest: 0.0 };

@@ -13,7 +13,7 @@ use super::{Input, Operation, Plan};
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
     builder: Builder<Input, Rational>,
-    /// Counts the examined terms of polynomials.
+    /// The number of terms of polynomials that were examined so far.
     pub(super) looked_at: usize,
 }
 

@@ -29,8 +29,8 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form serves many orbits in SIMD lanes. A form with a shorter recurrence
-        // serves single orbits.
+        // The cheapest form serves many orbits in SIMD lanes. In a single orbit, a form may be
+        // faster whose steps wait less for the previous step.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);
@@ -66,8 +66,9 @@ impl StepPlan {
 mod tests {
     use super::*;
 
-    /// Returns the forms with a shorter recurrence than the cheapest form, and the number of built
-    /// forms. The function `recurrence` turns the recurrence of the cheapest form into a limit.
+    /// Returns the forms with a shorter recurrence than the cheapest form, and the number of all
+    /// forms. The function `recurrence` maps the recurrence of the cheapest form to a limit for the
+    /// search.
     fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
         let plan =
             |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);

@@ -10,9 +10,9 @@ use crate::symbols::Symbols;
 use super::{Node, Plan, PlanBuilder};
 
 const FEWEST_VARIABLES: usize = 10;
-/// Straight-line code is faster with fewer products of two variables.
+/// For fields with fewer products of two variables, straight-line code is faster.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field, at least one of this many products has a nonzero coefficient.
+/// In a dense field, at least one in this many products has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
 #[derive(Clone, Debug)]
@@ -46,8 +46,8 @@ pub(crate) struct DenseField {
 }
 
 impl DenseField {
-    /// Returns the dense field. Returns `None` for few products, and for fields with divisors or
-    /// sums as factors.
+    /// Returns the field in dense form. Returns `None` if the field has few products of two
+    /// variables, divisors, or sums as factors.
     pub(crate) fn of(kept: &FieldWithSubexpressions, symbols: &Symbols) -> Option<Self> {
         let n = symbols.dimension();
         let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / SPARSEST);
@@ -142,7 +142,7 @@ impl DenseField {
         builder.finish(&components)
     }
 
-    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ. The term with k = j counts twice.
+    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ. The term with k = j is doubled.
     pub(crate) fn slopes(&self, entries: impl IntoIterator<Item = (usize, usize)>) -> Plan {
         let mut builder = PlanBuilder::default();
         let slope = |(i, j): (usize, usize)| {

@@ -135,7 +135,6 @@ mod tests {
         Polynomial::from_terms((0..20_000).map(|k| (product(k), Rational::from(i64::from(k) + 1))))
     }
 
-    /// One variable at a time would need 3000 polynomials of 10 000 terms.
     #[test]
     fn a_long_polynomial_is_nested_within_the_budget_and_has_its_values() {
         let polynomial = long();

@@ -1,8 +1,8 @@
 //! Adds and multiplies polynomials by merging sorted runs of terms.
 //!
 //! A product forms a sorted run for each term of the shorter factor. Runs of similar length are
-//! merged, like the digits of a binary counter. Factors of n and m terms take n·m products of terms
-//! and n·m·log₂ min(n, m) comparisons.
+//! merged, like the digits of a binary counter. Factors of n and m terms take n·m multiplications
+//! of terms and n·m·log₂ min(n, m) comparisons.
 
 use std::cmp::Ordering;
 use std::convert::Infallible;
@@ -101,8 +101,8 @@ pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
     }
 }
 
-/// A sum of sorted runs. Runs of similar length are merged, so each term takes part in
-/// logarithmically many merges.
+/// A sum of sorted runs. Runs of similar length are merged, so each term is merged only
+/// logarithmically many times.
 struct Accumulator {
     runs: Vec<Vec<Term>>,
 }

@@ -1,8 +1,8 @@
 //! Sums, products and powers that stop before they become too large.
 //!
-//! A [`Budget`] limits the number of terms in each result, and the total work. Work counts products
-//! of terms, weighted by the lengths of coefficients in machine words. Predictably large results
-//! are refused before any work. Every `Ok` result is exact.
+//! A [`Budget`] limits the number of terms in each result, and the total work. Work is the number
+//! of multiplications of terms, weighted by the lengths of coefficients in machine words.
+//! Predictably large results are refused before any work. Every `Ok` result is exact.
 
 use std::error::Error;
 use std::fmt;
@@ -27,7 +27,8 @@ pub struct OverBudget;
 pub type WithinBudget<T> = Result<T, OverBudget>;
 
 impl Budget {
-    /// Returns a budget of `max_terms` terms in each result and `work` products of terms in total.
+    /// Returns a budget of `max_terms` terms in each result and `work` multiplications of terms in
+    /// total.
     pub fn new(max_terms: usize, work: u64) -> Self {
         Self { max_terms, work }
     }
@@ -37,7 +38,7 @@ impl Budget {
         Self::new(usize::MAX, u64::MAX)
     }
 
-    /// Returns the number of remaining products of terms.
+    /// Returns the number of remaining multiplications of terms.
     pub fn work_left(&self) -> u64 {
         self.work
     }
@@ -80,7 +81,7 @@ impl Polynomial {
     }
 
     /// Returns the sum of all summands, or an error if it exceeds the budget. Summands with the
-    /// flag `true` are subtracted. Adding long coefficients also counts as work.
+    /// flag `true` are subtracted. Additions of coefficients are charged to the budget, too.
     pub fn sum_within<'a>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         budget: &mut Budget,
@@ -128,7 +129,8 @@ impl Polynomial {
             return Ok(Self::term(monomial.pow(exponent.unsigned_abs()), coefficient));
         }
         budget.admit(self.power_size(exponent))?;
-        // For sparse bases, repeated multiplication takes fewer products of terms than squaring.
+        // For sparse bases, repeated multiplication takes fewer multiplications of terms than
+        // squaring.
         let mut power = self.clone();
         for _ in 1..exponent {
             power = power.mul_within(self, budget)?;

@@ -160,7 +160,6 @@ impl Polynomial {
         let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut *belongs));
         let split: Vec<(Monomial, Monomial)> = split.collect();
         let mut order: Vec<usize> = (0..split.len()).collect();
-        // Division by equal keys keeps the order of terms.
         order.sort_by(|&left, &right| split[left].0.cmp(&split[right].0));
         let mut groups: Vec<(Monomial, Self)> = Vec::new();
         for index in order {

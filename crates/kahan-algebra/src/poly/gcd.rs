@@ -85,7 +85,8 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBu
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Computes the gcd of all coefficients with respect to the variables outside `bounds`.
+/// Computes the gcd of all coefficients of a and b as polynomials in the variables outside
+/// `bounds`.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
@@ -97,7 +98,7 @@ fn gcd_of_coefficients(
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
 }
 
-/// Multiplies the gcds of contents and of primitive parts in the variable of least degree.
+/// Returns the gcd of contents times that of primitive parts in the variable of least degree.
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,

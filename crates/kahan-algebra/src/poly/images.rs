@@ -4,9 +4,11 @@
 //! variable v is at most that of the gcd of the images. An unlucky point makes the bound larger,
 //! but never wrong.
 //!
-//! *Proof.* Let g be the primitive gcd of primitive a and integer b. By Gauss's lemma a = g·h with
-//! integer h, so lc(a) = lc(g)·lc(h) for leading coefficients in v. If the image of a keeps its
-//! degree in v, the image of g keeps its degree, too. The image of g divides both images. ∎
+//! # Proof
+//!
+//! Let g be the primitive gcd of primitive a and integer b. By Gauss's lemma a = g·h with integer
+//! h, so lc(a) = lc(g)·lc(h) for leading coefficients in v. If the image of a keeps its degree in
+//! v, the image of g keeps its degree, too. The image of g divides both images.
 
 use kahan_syntax::table::Table;
 
@@ -15,14 +17,14 @@ use crate::prime_field::{PrimeField, SplitMix64};
 
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
-/// The number of products of residues that take as long as one product of terms. A [`Budget`] is
-/// charged at this rate.
+/// Multiplying this many residues takes as long as multiplying two terms. A [`Budget`] is charged
+/// at this rate.
 pub const RESIDUES_PER_TERM: u64 = 32;
 
 type Univariate = Vec<u64>;
 
 /// Returns upper bounds on the degrees of gcd(a, b) for primitive a and b. The cost is a few
-/// products in F_p for each factor of each term, and a univariate gcd for each variable.
+/// multiplications in F_p for each factor of each term, and a univariate gcd for each variable.
 ///
 /// # Errors
 /// If the budget runs out.
@@ -81,7 +83,6 @@ fn images(polynomial: &Polynomial, degrees: &Table<Variable, u32>) -> Table<Vari
     let mut images: Vec<Univariate> = points.iter().map(|powers| vec![0; powers.len()]).collect();
     let mut before = vec![0; variables.len()];
     for (monomial, coefficient) in polynomial.terms() {
-        // In the image of v, a term is multiplied by the values of all powers before v and after v.
         let mut value = FIELD.reduce(coefficient).expect("a primitive polynomial has integer coefficients");
         for (index, variable) in variables.iter().enumerate() {
             before[index] = value;

@@ -8,10 +8,10 @@ use super::{Monomial, Polynomial};
 
 impl Polynomial {
     /// Returns the square root with positive leading coefficient. Returns `None` if the polynomial
-    /// is not a square. The cost is one product of terms for every term of the root, plus one.
+    /// is not a square. The cost is at most that of multiplying the root by the polynomial.
     ///
     /// The highest term of polynomial − r² determines the next term of the root r. A root with more
-    /// terms than its square is not found. The shortest known example has 13 terms.
+    /// terms than its square is not found. The shortest known root of this kind has 13 terms.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
         let (monomial, coefficient) = (half(monomial)?, rational_root(coefficient)?);

@@ -169,7 +169,6 @@ fn products_and_powers_keep_to_their_budget() {
     // The budget refuses this power of 10^12 terms before any work.
     let many = (0..12).fold(c(1), |sum, index| &sum + &v(index));
     assert_eq!(many.pow_within(64, &mut Budget::new(100_000, u64::MAX)), Err(OverBudget));
-    // The power has few terms, although the binomial bound is large.
     let dense = &(&(&v(0) * &v(0)) + &v(0)) + &c(1);
     assert_eq!(dense.pow_within(64, &mut Budget::new(129, 100_000)).unwrap().len(), 129);
     // Nested powers of one term overflow neither an exponent nor memory.
@@ -245,7 +244,6 @@ fn a_gcd_over_budget_says_so() {
     let (denominator, numerator, _) = e3();
     assert_eq!(gcd_within(&denominator, &numerator, &mut Budget::new(1000, 3)), Err(OverBudget));
     assert!(gcd_within(&denominator, &numerator, &mut Budget::new(1000, 10_000)).is_ok());
-    // The polynomials have few terms of high degree.
     let tall = |degree| &Polynomial::term(Monomial::power(Variable(0), degree), Rational::ONE) - &c(1);
     assert_eq!(
         gcd_within(&tall(1 << 20), &tall((1 << 20) - 1), &mut Budget::new(1000, 1_000_000)),

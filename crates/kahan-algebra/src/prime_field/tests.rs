@@ -107,7 +107,6 @@ fn the_points_of_a_proof_depend_on_each_bit_of_their_seed() {
     });
     let distinct: std::collections::BTreeSet<u64> = primes.collect();
     assert_eq!(distinct.len(), 257);
-    // The seed depends on each token.
     let seed = |text: &str| crate::seed(&kahan_syntax::lexer::lex(text).tokens);
     assert_ne!(seed("xdot = x;"), seed("xdot = y;"));
     assert_eq!(seed("xdot = x;"), seed("xdot  =x ;"));

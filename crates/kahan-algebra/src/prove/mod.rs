@@ -53,7 +53,7 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     }
     let scheme = Scheme::of(&system.field);
     let mut random = Shake256::new(&seed);
-    // Claims under equal conditions share their points.
+    // Claims with equal conditions are tested at the same points.
     let mut groups: Vec<Samples<'_>> = Vec::new();
     let mut verdicts = Vec::new();
     for claim in &system.claims {
@@ -77,8 +77,8 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
 /// The most operations at a point for the claims of a block.
 const MOST_OPERATIONS: usize = 1_500_000;
 
-/// Estimates the number of operations at a point for all claims. Operations of eliminations are
-/// cheap modulo a prime.
+/// Estimates the number of operations at a point for all claims. The n³ operations of eliminations
+/// are divided by 16, because they are cheap modulo a prime.
 fn operations(system: &System) -> usize {
     let n = system.field.dimension();
     let terms: usize = system.field.numerators().map(Polynomial::len).sum();

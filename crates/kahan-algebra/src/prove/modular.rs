@@ -62,8 +62,8 @@ fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Opt
             return Some(evidence.holds);
         }
     }
-    // If all small points are zeros of a divisor, the modular proof stands without a
-    // counterexample.
+    // If all small points are zeros of a divisor, there is no counterexample, and the modular proof
+    // stands.
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 

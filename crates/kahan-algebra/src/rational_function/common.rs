@@ -6,7 +6,7 @@ use crate::poly::{Budget, Polynomial, WithinBudget, gcd_within};
 /// The nonzero entries of a row by ascending column.
 pub(crate) type Row = Vec<(usize, RationalFunction)>;
 
-/// The cost of reducing a fraction of long integers, relative to a product.
+/// Reducing a fraction of long integers costs as much as this many of their products.
 const COST_OF_FRACTIONS: u64 = 50;
 
 impl RationalFunction {
@@ -51,7 +51,8 @@ pub(crate) fn reduced(
         while let Some(before) = own.next_if(|(other, _)| other < column) {
             difference.push(before.clone());
         }
-        // Reducing long fractions costs more than multiplication, which the budget counts.
+        // Reducing fractions of long numbers costs more than multiplying them, so it is charged
+        // here.
         let long = entry.numerator().coefficient_words().max(words) - 1;
         budget.charge(long.saturating_mul(long).saturating_mul(COST_OF_FRACTIONS))?;
         let product = entry.mul_within(factor, budget)?;

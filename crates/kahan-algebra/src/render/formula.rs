@@ -88,7 +88,7 @@ impl Formulas<'_> {
     /// exceeded.
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
-        /// The most products of terms for an entry, in some tenths of a second.
+        /// The most multiplications of terms for an entry, which take some tenths of a second.
         const WORK: u64 = 1 << 20;
 
         let map = &self.map?.reduced;

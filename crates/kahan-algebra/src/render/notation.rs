@@ -60,7 +60,7 @@ pub trait Notation: fmt::Debug {
             if index > 0 {
                 text.push(if factor.divides { '/' } else { '*' });
             }
-            // A leading sign belongs to the first factor, as in (−a)·b.
+            // A sign before the first factor needs no parentheses, as in −a·b.
             let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
             text.push_str(&at_least(
                 self,

@@ -1,9 +1,9 @@
 //! Compares how many digits plans lose with how many an evaluation of the text loses.
 //!
 //! Each object is computed from the text in 24 runs with random rounding up or down. Let E be the
-//! largest error of these runs. The error of a plan must be at most 8 E at each point, and at most
-//! 2 E in the median over a field's points. Errors of a step are relative to the largest component.
-//! Errors below half an ulp count as half an ulp.
+//! largest error of these runs, but at least half an ulp. The error of a plan must be at most 8 E
+//! at each point, and at most 2 E in the median over a field's points. Errors of a step are
+//! relative to the largest component.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -31,9 +31,9 @@ fn fields() -> usize {
 const POINTS: usize = 7;
 /// The number of runs at each point.
 const RUNS: usize = 24;
-/// The limit for ratios of errors.
+/// The largest allowed ratio of the error of a plan to that of the text, at each point.
 const EVERYWHERE: f64 = 8.0;
-/// The limit for the median ratio of errors of a field.
+/// The largest allowed ratio of these errors in the median over the points of a field.
 const IN_THE_MEDIAN: f64 = 2.0;
 
 /// Floats in which every inexact operation is rounded up or down at random.
@@ -179,7 +179,7 @@ fn eliminated<A: Arithmetic<Constant = Rational>>(
     Some(solution)
 }
 
-/// An exact number, as a float and the difference from it.
+/// An exact number, as a float and the small difference from it.
 type Double = (f64, f64);
 
 fn errors(floats: &[f64], exact: &[Double]) -> Vec<f64> {
@@ -293,7 +293,7 @@ impl<'a> Subject<'a> {
             let runs: Vec<&[f64]> = runs.iter().map(|run| run[k].as_slice()).collect();
             let lost = |floats: Option<&[f64]>| lost(floats, &runs, &exact[k], OBJECTS[k] != "step");
             let lost_by_text = lost(Some(&to_nearest[k]))?;
-            // The text itself, rounded to nearest, meets the requirement.
+            // The text, evaluated with rounding to nearest, must also meet the limit.
             assert!(lost_by_text <= EVERYWHERE, "{} of {}: {lost_by_text} E", OBJECTS[k], self.name);
             Some((OBJECTS[k], lost(ours.as_ref().map(|ours| ours[k].as_slice()))?))
         };
@@ -316,12 +316,12 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
 
 struct Draw {
     random: SplitMix64,
-    /// The distances between numbers of a point.
+    /// The distances between numbers that are drawn near each other.
     nearness: &'static [f64],
 }
 
 impl Draw {
-    /// One field in four has no near numbers.
+    /// Every fourth field has no numbers near each other.
     fn of(name: &str, number: usize) -> Self {
         let nearness: [&[f64]; 4] = [&[1.0], &[1.0, 1e-3], &[1.0, 1e-6], &[1.0, 1e-3, 1e-6, 1e-9]];
         Draw {

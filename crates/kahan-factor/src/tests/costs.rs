@@ -17,7 +17,7 @@ fn an_exhausted_budget_leaves_square_free_parts() {
         let factors = factors(&polynomial, &mut Budget::new(100_000, work));
         assert_sound(&polynomial, &factors);
         let largest = factors.factors.iter().map(|(factor, _)| factor.degree()).max().unwrap();
-        // At least the square of the factor of degree 5 is recognised.
+        // The repeated factor of degree 5 is found even with the smallest budget.
         assert!(largest <= 5, "{factors:?}");
         assert!(factors.is_complete >= is_complete, "more work leaves nothing behind");
         is_complete = factors.is_complete;
@@ -141,7 +141,6 @@ fn wrong_candidates_are_not_divided_by() {
     assert!(spent(&whole) <= 365_000, "{}", spent(&whole));
 }
 
-/// If a is a square, b² − a³ is reducible.
 #[test]
 fn the_better_of_several_images_is_lifted() {
     let mut rng = SplitMix64::new(20);

@@ -47,8 +47,7 @@ fn restricted(lift: &Lift, index: usize) -> Laurent {
     sum.scale(&RationalFunction::one().checked_div(&divisor).expect("not 0"))
 }
 
-/// Checks that the expressions turn lifted equations into the original equations and their
-/// consequences.
+/// Checks that the expressions of new variables satisfy all lifted equations.
 fn check_restriction(lift: &Lift, text: &str) {
     for index in 0..lift.variables().len() {
         let expected = match index.checked_sub(lift.states.len()) {
@@ -180,8 +179,8 @@ fn maps_of_mechanical_systems_keep_an_energy() {
     }
 }
 
-/// Central forces in the plane. Each entry is the factor of −(x, y) and the largest allowed number
-/// of variables.
+/// Central forces −g·(x, y) in the plane. Each entry is g and the largest allowed number of
+/// variables.
 const CENTRAL: [(&str, usize); 6] = [
     ("6/(x^2 + y^2)^4 - 12/(x^2 + y^2)^7", 8),
     ("(x^2 + y^2)^(-5/6)", 6),
@@ -265,7 +264,6 @@ fn lifts_of_two_thousand_random_fields_restrict_to_them() {
     check_random_fields(60..2060);
 }
 
-/// For roots of 1 ± 1/x², relations are solved for a term with a negative exponent.
 #[test]
 fn roots_of_sums_with_poles_are_read() {
     for text in [

@@ -121,7 +121,6 @@ impl Scope {
                 continue;
             }
             if is_never_free(text, |name| self.is_state_name(name)) {
-                // This name is reported when it is looked up.
                 continue;
             }
             if is_keyword(text) {

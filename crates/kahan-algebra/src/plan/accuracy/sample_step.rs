@@ -25,9 +25,9 @@ pub(super) struct Elimination<'a> {
 }
 
 impl SampleStep {
-    /// Draws a point at which ‖εf′‖∞ is near `size`. Cubes of states have half widths from 2⁻³ to
-    /// 2¹⁰, and parameters have absolute values from 1/2 to 2. Returns `None` if f′ or det A
-    /// vanishes.
+    /// Draws a point at which ‖εf′‖∞ is near `size`. States are drawn from a cube of random half
+    /// width from 2⁻³ to 2¹⁰, and parameters have absolute values from 1/2 to 2. Returns `None` if
+    /// f′ or det A vanishes.
     pub(super) fn draw(elimination: &Elimination<'_>, size: f64, random: &mut SplitMix64) -> Option<Self> {
         let Elimination { states, parameters, .. } = *elimination;
         let width = 2_f64.powi(random.below(14) as i32 - 3);
@@ -49,7 +49,7 @@ impl SampleStep {
             }
             norm = norm.max(sum);
         }
-        // With ε = size/‖f′‖∞, a Jacobian with a single entry would have a pole at size 1.
+        // A random factor avoids ε = 1/‖f′‖∞, where a Jacobian with a single entry gives a pole.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
         if !eps.is_normal() {
             return None;
@@ -62,8 +62,8 @@ impl SampleStep {
         trial.elimination.is_finite().then_some(trial)
     }
 
-    /// Returns the largest error from component `first` on, in units of the unit roundoff times the
-    /// largest component.
+    /// Returns the largest error from component `first` on, relative to the largest component, as a
+    /// multiple of the unit roundoff.
     pub(super) fn error_from(&self, first: usize, next: &[f64]) -> f64 {
         let (mut size, mut off) = (0.0_f64, 0.0_f64);
         for (exact, computed) in self.next[first..].iter().zip(next) {

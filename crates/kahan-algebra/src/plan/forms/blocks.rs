@@ -32,7 +32,7 @@ pub(in crate::plan) struct Blocks<'a> {
     matrix: Vec<Vec<Polynomial>>,
     polarized: Vec<Polynomial>,
     structure: Structure,
-    /// The first state to solve for. Earlier states are known at x and at x̃.
+    /// The index of the first state to solve for. The images of earlier states are known.
     first: usize,
 }
 
@@ -65,7 +65,7 @@ impl<'a> Blocks<'a> {
     /// Prepares the map of a tangent vector v for known x and x̃.
     ///
     /// The second states stand for x + x̃ and ṽ − v, so half of the terms of the polarised field
-    /// cancel. Doubled equations contain no factor ½.
+    /// cancel. All equations are doubled to avoid the factor ½.
     pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };
@@ -89,8 +89,8 @@ impl<'a> Blocks<'a> {
         self.first > 0
     }
 
-    /// Returns blocks in which pivots eliminate independent states. Returns `None` if a block is
-    /// too large.
+    /// Returns blocks from which independent states are eliminated first. Returns `None` if a block
+    /// is too large.
     pub(in crate::plan) fn eliminating(&self) -> Option<BlockOrder> {
         let block = |block: Vec<usize>| {
             let independent = self.structure.independent(&block);
@@ -99,8 +99,8 @@ impl<'a> Blocks<'a> {
         self.solved().map(block).collect::<Option<_>>().map(BlockOrder)
     }
 
-    /// Returns blocks without elimination, in up to `orders` orders of rows. Each block has at most
-    /// `operations` operations.
+    /// Returns blocks from which no state is eliminated, in up to `orders` orders of rows. Each
+    /// block has at most `operations` operations.
     pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<BlockOrder> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {
@@ -148,7 +148,7 @@ impl<'a> Blocks<'a> {
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        // For a tangent vector, the reciprocal contains ε.
+        // Rows for a tangent vector contain no ε, because their reciprocal contains it.
         let eps = match self.is_tangent() {
             true => Polynomial::one(),
             false => Polynomial::variable(self.field.symbols.epsilon()),
@@ -168,8 +168,8 @@ impl<'a> Blocks<'a> {
         rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
     }
 
-    /// Returns the polarised field with x in place of x̃ for unknown states of the block. For a
-    /// tangent vector, the increments of these states are 0.
+    /// Replaces the unknown images x̃ of states in a block by x. For a tangent vector, replaces the
+    /// unknown increments by 0.
     fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
         let symbols = &self.field.symbols;
         if self.is_tangent() {

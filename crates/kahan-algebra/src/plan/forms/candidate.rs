@@ -30,7 +30,7 @@ impl Candidate {
         Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
     }
 
-    /// Builds a candidate from numerators, reciprocals, and flags that negate products.
+    /// Builds a candidate from numerators, reciprocals, and flags. A flag negates the numerator.
     pub(super) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
@@ -44,7 +44,8 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether every prepared constant is rounded once, or the writer `folds` constants.
+    /// Returns whether no prepared constant is rounded twice. Returns `true` for dissipative
+    /// fields.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
@@ -58,19 +59,19 @@ impl Writer {
         (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
     }
 
-    /// Returns whether the prepared constants of `step` are rounded once, or the writer `folds`
-    /// constants.
+    /// Returns whether no prepared constant of `step` is rounded twice. Returns `true` for
+    /// dissipative fields.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
         self.kernel(&[step]).1 == 0
     }
 }
 
-/// Returns a price from operations, cycles, and constants that are rounded twice.
+/// Returns the price of a form for its operations, its cycles, and constants rounded twice.
 fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));
     let cost = kernel.cost();
-    // The last operation subtracts a negated numerator without cost.
+    // A negated numerator costs nothing, because the last addition becomes a subtraction.
     let operations = cost.operations() - negated.len() + DERIVED * derived;
     FormGoal::Early.price(operations, cost.critical_path)
 }

@@ -25,16 +25,16 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// Products of factors are tried with this many of the cheapest denominators.
+/// Numerators as products of factors are tried with this many of the cheapest denominators.
 const TRIED: usize = 2;
-/// Products with more terms in all factors are not compared with determinants.
+/// If the factors have more terms in total, only numerators as determinants are tried.
 const FACTOR_TERMS: usize = 32;
 
 /// This many orders of rows are compared for the blocks of a field with few terms.
 const ROTATIONS: usize = 3;
 /// Blocks of larger fields use a single order of rows.
 const COMPARED_TERMS: usize = 60;
-/// Longer reduced maps are not written out if another form exists.
+/// Reduced maps with more terms are not written out if another form exists.
 const WRITTEN_TERMS: usize = 120;
 
 /// This many orders of rows are compared for blocks without elimination.
@@ -46,7 +46,7 @@ pub(in crate::plan) struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    /// Returns forms that may have a shorter recurrence.
+    /// Returns forms for a single orbit that may have a recurrence below `recurrence`.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -54,8 +54,8 @@ impl Forms<'_> {
     }
 }
 
-/// Returns the candidate forms of a field's step. With `kept`, forms use the products of sums in
-/// `kept`. Otherwise forms use A and the reduced map. Returns `None` if the field is too large for
+/// Finds the cheapest form of a field's step. With `kept`, products of sums stay as written there.
+/// Otherwise forms use A and the reduced map. Returns `None` if the field is too large for
 /// straight-line code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
@@ -82,7 +82,7 @@ pub(crate) fn forms<'a>(
     Some(Forms { best, factored })
 }
 
-/// Returns whether forms may solve A by blocks.
+/// Returns whether the step may be solved block by block.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
@@ -161,8 +161,8 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Writes the denominator as a determinant of A, if no common factor was divided out. The
-    /// entries of A are short.
+    /// Writes the denominator as a determinant of A, for two or three states and if no common
+    /// factor was divided out.
     fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
         let n = self.field.dimension();
         if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
@@ -174,8 +174,7 @@ impl FactoredMap<'_> {
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
-            // A determinant D̂ that differs from the reduced denominator by a constant is not
-            // remembered.
+            // The determinant is also the reduced denominator, which the writer may now reuse.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
@@ -198,7 +197,7 @@ impl FactoredMap<'_> {
             row.iter().chain([&right]).map(|entry| writer.entry(entry, FormGoal::Few)).collect()
         };
         let mut rows: Vec<Vec<MatrixEntry>> = matrix.iter().zip(&self.field.components).map(row).collect();
-        // A cyclic permutation of three rows is even.
+        // A rotation of three rows keeps the signs of determinants.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)
     }
@@ -212,8 +211,8 @@ impl FactoredMap<'_> {
         Candidate::over(writer, numerators.into_iter().map(over))
     }
 
-    /// Returns the form with two divisions for a denominator with [two factors](Self::two_factors).
-    /// The recurrence of this form contains only one factor.
+    /// Returns a form with two divisions for a denominator with [two factors](Self::two_factors).
+    /// Some components are divided by the first factor only.
     fn with_two_divisions(&self) -> Option<Candidate> {
         let (needed, other) = self.two_factors()?;
         self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])

@@ -1,4 +1,4 @@
-//! The reduced map in products over one set of factors.
+//! The reduced map, with numerators and denominator as products of a common set of factors.
 
 use kahan_syntax::rational::Rational;
 
@@ -55,7 +55,7 @@ impl<'a> FactoredMap<'a> {
         products.finish(writer)
     }
 
-    /// Returns factors p and q of the denominator p·q if some components divide only by p.
+    /// If the denominator is p·q and some components need only the division by p, returns p and q.
     pub(in crate::plan) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
         let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
         if !self.denominator.monomial.is_one()
@@ -71,8 +71,8 @@ impl<'a> FactoredMap<'a> {
         }
     }
 
-    /// Writes a form with increments n/p or n/(p·q) for `factors` p and q. Numerators that contain
-    /// q are divided only by p and multiplied by the power `short` of ε.
+    /// Writes a form for a denominator p·q with `factors` p and q. Numerators that contain q are
+    /// divided only by p and multiplied by the power `short` of ε.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],

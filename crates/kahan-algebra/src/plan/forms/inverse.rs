@@ -28,7 +28,7 @@ impl FactoredMap<'_> {
     /// rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // With folded constants, division by ε saves nothing.
+            // If each term has a single prepared constant, division by ε saves nothing.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
@@ -54,7 +54,7 @@ impl FactoredMap<'_> {
         forms
     }
 
-    /// Returns whether a product of states has a sum as coefficient.
+    /// Returns whether a product of states has a sum of constants as coefficient.
     fn has_sums_of_constants(&self, polynomial: &Polynomial) -> bool {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         groups.iter().any(|(states, coefficient)| !states.is_one() && coefficient.len() > 1)
@@ -71,8 +71,8 @@ impl FactoredMap<'_> {
         writer.write(&gathered, FormGoal::Early)
     }
 
-    /// Writes x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ) for numerators n and the written denominator d/εᵏ. The
-    /// dividend of its reciprocal is c. Returns `None` if the recurrence is too long, or if a
+    /// Writes x̃ − x = (n/εᵏ⁻¹)·c/q for numerators n, where q is written as `denominator`. Here c/q
+    /// = 2/(d/εᵏ) for the denominator d. Returns `None` if the recurrence is too long, or if a
     /// constant is rounded twice.
     fn over_power(
         &self,

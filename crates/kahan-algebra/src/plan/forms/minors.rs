@@ -1,5 +1,5 @@
 //! Writes Cramer's rule as operations without divisions. Minors of k rows follow from those of k −
-//! 1 rows, and all determinants share them. Zero entries cost nothing.
+//! 1 rows, and all determinants are computed from the same minors. Zero entries cost nothing.
 
 use kahan_syntax::table::{Table, sorted_by_key};
 
@@ -8,7 +8,7 @@ use crate::poly::Polynomial;
 use crate::plan::writing::plan_draft::{PlanDraft, Signed};
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// The determinant of A. The numerators have the right-hand side in one column.
+/// The determinant of A, and those of A with one column replaced by the right-hand side.
 pub(in crate::plan) struct Determinants {
     pub(in crate::plan) denominator: Signed,
     pub(in crate::plan) numerators: Vec<Signed>,
@@ -31,7 +31,7 @@ pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<MatrixEntry
     let zero = Signed::plus(draft.zero());
     let minor = |missing: usize| minors.get(&(all & !(1 << missing))).copied().unwrap_or(zero);
     let numerators = (0..n).map(|j| {
-        // The right-hand side changes the sign for each of n−1−j columns.
+        // Moving the last column to place j changes the sign n−1−j times.
         minor(j).flipped((n - 1 - j) % 2 == 1)
     });
     Determinants { denominator: minor(n), numerators: numerators.collect() }
@@ -114,8 +114,8 @@ pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     count
 }
 
-/// Returns an order of rows, ranked by [operations]. The rotations of three orders are compared:
-/// the given one, sparse rows first, and dense rows first.
+/// Returns the order of rows with the given rank among the cheapest. Rotations of the given order,
+/// of sparse rows first and of dense rows first are compared.
 pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
     let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();

@@ -46,14 +46,14 @@ impl Structure {
 
 /// Returns the strongly connected components of the dependency graph. Each component comes after
 /// those on which it depends, so A is block triangular. The list `depends[i]` has the states in fᵢ.
-/// Among several orders, few dependences come first, then early states.
+/// Components that depend on few states of others come first.
 pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut blocks = components(depends);
     let mut block_of = vec![0; depends.len()];
     for (number, block) in blocks.iter().enumerate() {
         block.iter().for_each(|&i| block_of[i] = number);
     }
-    // Bits of a word stand for 64 states at a time.
+    // Sets of states are stored as bits of a word, for 64 states at a time.
     let mut weights = vec![0; blocks.len()];
     let groups = if blocks.len() > 1 { depends.len().div_ceil(64) } else { 0 };
     for group in 0..groups {

@@ -19,7 +19,7 @@ use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Plan};
 
 const ORDERS: usize = 3;
-/// With more operations, a step from x + δv with a small δ is as cheap.
+/// If a plan needs more operations, a second step from x + δv with a small δ is as cheap.
 const MOST_OPERATIONS: usize = 300;
 
 /// Returns the plan of ṽ from x, v and x̃. The first half of the second states is x̃. Returns

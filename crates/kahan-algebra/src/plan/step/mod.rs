@@ -26,7 +26,7 @@ pub const LARGEST_SIZE: u32 = 1000;
 /// The cost of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
-    /// The number of operations of a step. A multiply-add counts twice.
+    /// The number of operations of a step, where a multiply-add is two operations.
     pub operations: u32,
     /// The number of divisions among the operations.
     pub divisions: u32,
@@ -45,7 +45,7 @@ pub struct StepPlan {
     /// away from zero.
     pub has_inverse_step: bool,
     /// The plan for SIMD lanes, if it differs. A second division can shorten the recurrence of one
-    /// orbit, but many orbits wait for the divider. If `self` [divides by
+    /// orbit, but for many orbits the divisions are the bottleneck. If `self` [divides by
     /// ε](Self::has_inverse_step), this plan also serves other scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
     /// The largest size ‖εf′‖∞ of 1, 10, 100 and 1000 up to which the step loses few digits. The
@@ -109,15 +109,14 @@ impl StepPlan {
                 (None, None) => Operation::Add(state, numerator),
             }));
         }
-        // Equal operations are merged, and unused operations are dropped.
         Plan::together([&Plan { operations, outputs }])
     }
 
     /// Returns whether generated code must keep named values out of vector registers.
     ///
-    /// The answer is yes for three components only. One value is left when pairs are packed, and
-    /// moves between registers cost up to an eighth of a step. More components would make steps too
-    /// large for inlining.
+    /// The answer is yes for three components only. Compilers pack values in pairs, which leaves
+    /// one, and moves between registers then cost up to an eighth of a step. More components would
+    /// make steps too large for inlining.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.kernel.dimension() == 3

@@ -60,10 +60,11 @@ impl StepPlan {
     }
 }
 
-/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of steps with one reciprocal.
+/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of all steps with this
+/// reciprocal.
 pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
     let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
-    // A single component is divided directly.
+    // If there is a single component, its numerator is divided without a reciprocal.
     let product = if moving.len() > 1 { MULTIPLY } else { 0 };
     let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
     u64::from(back) * UNIT
@@ -74,7 +75,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     for operation in &operations[..=node.0] {
         let ready = match *operation {
             Operation::Input(Input::Variable(input)) => (input == variable).then_some(0),
-            // Negations are moved elsewhere without cost.
+            // A negation takes no time, because other operations absorb it.
             Operation::Negate(a) => arrival[a.0],
             Operation::Add(a, b) | Operation::Subtract(a, b) => {
                 let summand = |summand: Node| match operations[summand.0] {
@@ -94,7 +95,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// The number of time units in a cycle, which is divisible by 1 to 6.
+/// A cycle in the unit of [`StepPlan::recurrence`]. The number is divisible by 1 to 6.
 const UNIT: u64 = 60;
 
 /// Returns the longest paths through two consecutive steps.

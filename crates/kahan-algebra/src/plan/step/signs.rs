@@ -39,7 +39,7 @@ struct Search<'a> {
     kernel: &'a Plan,
     /// The node of each prepared difference in the kernel.
     prepared: Vec<Option<Node>>,
-    /// Whether the sign of each operation is a free choice.
+    /// Whether the sign of each operation may be chosen.
     is_free: Vec<bool>,
 }
 

@@ -83,7 +83,7 @@ fn common(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynom
     gcd_within(a, b, budget).ok().map(|gcd| core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
-/// Returns the common factor of the coefficients by powers of some variable, if not constant.
+/// Returns the gcd of the coefficients of the powers of some variable, unless it is constant.
 fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > TERMS || polynomial.len() < 4 {
         return None;
@@ -184,7 +184,7 @@ mod tests {
         }
     }
 
-    /// In E6, two numerators share the factor y + ε(x² − z²).
+    /// In E6, two numerators have the common factor y + ε(x² − z²).
     #[test]
     fn the_numerators_of_e6_are_products() {
         let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");

@@ -157,8 +157,7 @@ impl Nesting {
         counts.into_iter().map(|(variable, _)| variable).collect()
     }
 
-    /// Returns whether a variable may be factored out. Other variables belong to prepared
-    /// constants.
+    /// Returns whether a variable may be factored out. Parameters stay in prepared constants.
     fn may_be_out(&self, variable: Variable) -> bool {
         variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }
@@ -256,7 +255,7 @@ fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
     polynomial.terms().map(|(monomial, coefficient)| Summand::Term(monomial.clone(), coefficient.clone()))
 }
 
-/// The price of a prepared constant that is rounded twice, in operations.
+/// A prepared constant that is rounded twice costs as much as this many operations.
 pub(in crate::plan) const DERIVED: usize = 3;
 
 /// Returns the cycle when a sum is ready. Early values are added first.
@@ -286,7 +285,6 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
-    /// One variable at a time would need 2 000 000 terms.
     #[test]
     fn forms_of_a_long_polynomial_are_compared_within_the_budget() {
         let state = |k: usize| Monomial::variable(Variable(k as u16));

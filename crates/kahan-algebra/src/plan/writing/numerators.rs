@@ -79,7 +79,7 @@ impl Products {
         self.lists.push(writer.cheapest(&places, write, |list| list.nodes.len()));
     }
 
-    /// Multiplies out all products, common pairs of factors first.
+    /// Writes all products. Pairs of factors that occur in several products are multiplied first.
     pub(in crate::plan) fn finish(mut self, writer: &mut Writer) -> Vec<Signed> {
         while let Some((a, b)) = self.shared_pair() {
             let node = writer.draft.multiply(a, b);

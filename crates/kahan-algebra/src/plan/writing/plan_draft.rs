@@ -1,4 +1,4 @@
-//! A plan under construction. Late values are combined last.
+//! A plan under construction. Values that are ready late are combined last.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -17,9 +17,9 @@ pub(in crate::plan) struct PlanDraft {
     pub(in crate::plan) builder: PlanBuilder,
     ready: Vec<u32>,
     fixed: Vec<bool>,
-    /// The number of state-dependent operations up to each operation.
+    /// For each operation, the number of operations up to it that depend on states.
     sizes: Vec<usize>,
-    /// The number of states. Later variables up to ε are parameters.
+    /// The number of states. Variables from this number up to ε are parameters.
     states: u16,
     epsilon: Variable,
     /// Whether constants may be multiplied with each other. [`Self::product`] explains the effect.
@@ -120,8 +120,8 @@ impl PlanDraft {
     /// Returns the product of all factors. Existing products are preferred, then factors that are
     /// ready early.
     ///
-    /// Unless the draft folds constants, two constants are rarely multiplied. The rounding error of
-    /// their product would recur in every step, so integrals would drift.
+    /// Products of two constants are avoided unless the draft permits them. The rounding error of
+    /// such a product would recur in every step, so integrals would drift.
     pub(in crate::plan) fn product(&mut self, factors: &[Node]) -> Node {
         match factors {
             [] => return self.constant(&Rational::one()),
@@ -147,7 +147,7 @@ impl PlanDraft {
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         const MOST_COMPARED: usize = 64;
 
-        // Powers repeat a factor many times.
+        // Equal factors, as in powers, form one run.
         let mut runs: Vec<Range<usize>> = Vec::new();
         for run in factors.chunk_by(|a, b| a == b) {
             let start = runs.last().map_or(0, |last| last.end);
@@ -187,7 +187,7 @@ impl PlanDraft {
     /// Returns the sum of signed terms up to a sign, which is part of the result.
     pub(in crate::plan) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
         self.settle();
-        // Among terms of equal time, the latest sum comes first.
+        // Among values that are ready at equal times, the latest sum is added first.
         let waiting = terms.iter().zip(0_i64..);
         let mut waiting: BinaryHeap<_> =
             waiting.map(|(&term, place)| Reverse((self.order(term.node), place, term))).collect();

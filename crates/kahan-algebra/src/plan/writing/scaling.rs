@@ -15,19 +15,19 @@ use kahan_program::cost::{DIVIDE, MULTIPLY};
 const COEFFICIENTS: u16 = 1 << 15;
 /// The variable that names 1/(2ε) in all forms.
 pub(in crate::plan) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
-/// The approximate cycle when the image of a state is ready, after a division.
+/// The approximate cycle when the image of a state is ready. A division comes before it.
 const LATE: u32 = 2 * DIVIDE;
 
-/// The symbols that absorb powers of ε first.
+/// The symbols of a term that are multiplied by its powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum ScalingPriority {
     /// States come first. This suits fields whose parameters occur only in some terms.
     States,
-    /// Parameters come first. If εa₁ is prepared, x needs no scaling in a₁x.
+    /// Parameters come first. In εa₁x, the constant εa₁ is then prepared, and x stays as it is.
     Parameters,
 }
 
-/// The numbering of unscaled and scaled symbols.
+/// The numbering of symbols, and of their products with ε, which are called scaled symbols.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Scaling {
     states: usize,
@@ -68,7 +68,7 @@ impl Scaling {
         if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
     }
 
-    /// Returns the cycle when a variable is ready. Returns `None` for variables without states.
+    /// Returns the cycle when a variable is ready. Returns `None` if it depends on no state.
     pub(in crate::plan) fn ready(&self, variable: Variable) -> Option<u32> {
         let Variable(index) = variable;
         if index >= INVERSE_STEP.0 {
@@ -85,8 +85,8 @@ impl Scaling {
         }
     }
 
-    /// Returns the polynomial with ε distributed in each distinct way. If a term has fewer powers
-    /// of ε than states, some states stay unscaled.
+    /// Returns all distinct ways to multiply the powers of ε in a polynomial into the states and
+    /// parameters of its terms.
     pub(in crate::plan) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
         if !polynomial.contains(self.epsilon) {
             return vec![polynomial.clone()];
@@ -145,8 +145,8 @@ impl Scaling {
     }
 }
 
-/// Returns whether div f is a nonzero constant. Then no invariant measure or integral exists that
-/// could drift.
+/// Returns whether div f is a nonzero constant. There is then no invariant measure or integral that
+/// rounding errors could make drift.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
     let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));
@@ -156,7 +156,7 @@ fn is_dissipative(field: &Field) -> bool {
         && !field.symbols.has_state(&divergence)
 }
 
-/// Returns several orders of these states. Each state comes first once.
+/// Returns all rotations of the list of states.
 fn orders(states: &[usize]) -> impl Iterator<Item = Vec<usize>> {
     (0..states.len()).map(|first| [&states[first..], &states[..first]].concat())
 }

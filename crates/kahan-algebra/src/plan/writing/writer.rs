@@ -1,5 +1,5 @@
-//! Writes scaled polynomials as operations and reuses existing operations. Existing sums are also
-//! reused if subtracting a multiple shortens the polynomial.
+//! Writes polynomials as operations and reuses existing operations. Existing sums are also reused
+//! if subtracting a multiple of them shortens the polynomial.
 
 mod cheapest;
 mod coefficients;
@@ -20,13 +20,13 @@ use crate::plan::writing::plan_draft::{PlanDraft, Signed};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
-/// Multiples of sums are not sought in longer polynomials. The search has quadratic cost.
+/// In longer polynomials, multiples of sums are not sought, because the search has quadratic cost.
 const REUSED: usize = 24;
 
-/// Common constants of such short polynomials are not factored out.
+/// From sums of at most this many terms, common constants are not factored out.
 const SHARED: usize = 3;
 
-/// An entry of a matrix, with its polynomial over scaled symbols if known.
+/// An entry of a matrix as a written value, and as a polynomial if it is known.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct MatrixEntry {
     pub(in crate::plan) polynomial: Option<Polynomial>,
@@ -38,19 +38,18 @@ pub(in crate::plan) struct MatrixEntry {
 pub(in crate::plan) struct Writer {
     pub(in crate::plan) draft: PlanDraft,
     pub(in crate::plan) scaling: Scaling,
-    /// The remembered polynomials with positive leading coefficients, in order of creation.
+    /// The polynomials written so far, with positive leading coefficients.
     made: Numbered<Rc<Polynomial>>,
     steps: Vec<Signed>,
     sums: Vec<usize>,
     put: Vec<(Variable, Node)>,
-    /// Sums of constants. Each sum is computed once, before the steps, and counts as one constant.
+    /// Sums of constants, each of which is computed once, before the steps.
     coefficients: Vec<Polynomial>,
-    /// The chosen forms for both goals.
     nestings: Rc<[Nesting; 2]>,
 }
 
 impl Writer {
-    /// Returns an empty writer for each distribution of ε. Clones of a writer share estimates.
+    /// Returns an empty writer for each choice of the symbols that are multiplied by ε first.
     pub(in crate::plan) fn empty(field: &Field) -> Vec<Self> {
         scalings(field).into_iter().map(Self::new).collect()
     }
@@ -90,7 +89,7 @@ impl Writer {
         self.draft.builder.divide(half, eps)
     }
 
-    /// Returns the node of an unscaled symbol. The image of a state is the result of an operation.
+    /// Returns the node of a symbol, or of the value that replaces it.
     fn symbol(&mut self, symbol: Variable) -> Node {
         let put = self.put.iter().find(|(variable, _)| *variable == symbol).map(|(_, node)| *node);
         put.unwrap_or_else(|| self.draft.input(symbol))
@@ -122,19 +121,19 @@ impl Writer {
         written.flipped(sign)
     }
 
-    /// Writes a polynomial in unscaled symbols and ε with the first distribution of ε.
+    /// Writes a polynomial. Powers of ε are multiplied into the first symbols of each term.
     pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: FormGoal) -> Signed {
         let scaled = self.scaling.scale_first(polynomial);
         self.write(&scaled, goal)
     }
 
-    /// Records that `written` computes a polynomial in unscaled symbols.
+    /// Records that `written` is the value of a polynomial.
     pub(in crate::plan) fn remember_scaled(&mut self, polynomial: &Polynomial, written: Signed) {
         let scaled = self.scaling.scale_first(polynomial);
         self.remember(&scaled, written);
     }
 
-    /// Writes an entry of a matrix with the first distribution of ε.
+    /// Writes an entry of a matrix. Powers of ε are multiplied into the first symbols of each term.
     pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: FormGoal) -> MatrixEntry {
         let polynomial = self.scaling.scale_first(polynomial);
         let written = self.write(&polynomial, goal);

@@ -17,7 +17,7 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// Longer right-hand sides use a single distribution of ε.
+/// For right-hand sides with more terms, ways to multiply ε into terms are not compared.
 const COMPARED_TERMS: usize = 12;
 
 /// The increment x̃ᵢ − xᵢ as numerator and reciprocal.
@@ -30,7 +30,7 @@ struct Solution {
 }
 
 impl BlockOrder {
-    /// Returns the numbers by which to rotate rows. At most `most` rotations are returned.
+    /// Returns the numbers of places by which to rotate rows, at most `most` numbers.
     fn row_rotations(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
@@ -40,8 +40,7 @@ impl BlockOrder {
 }
 
 impl Blocks<'_> {
-    /// Returns a candidate for each rotation of rows. All candidates share the rows of the first
-    /// block.
+    /// Returns a candidate for each rotation of rows. The rows of the first block are written once.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
@@ -143,7 +142,6 @@ impl Solution {
         let Solution { mut writer, increments } = self;
         let increments = &increments[first..];
         let numerator = |(signed, _): &Increment| match signed.negative {
-            // The value is also part of x̃, so it is not negated in place.
             true => writer.draft.builder.changed_sign(signed.node),
             false => signed.node,
         };

@@ -9,7 +9,7 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 
 impl Writer {
-    /// Writes a polynomial in unscaled symbols and ε with the cheapest distribution of ε.
+    /// Writes a polynomial in the cheapest of several ways to multiply ε into its terms.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         self.cheapest(&ways, |writer, way| writer.write(way, FormGoal::Few), |_| 0)

@@ -1,4 +1,4 @@
-//! Gathers sums of constants before a product of states into prepared coefficients.
+//! Replaces sums of constants that multiply a product of states by prepared constants.
 
 use kahan_syntax::rational::Rational;
 
@@ -7,12 +7,12 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use super::Writer;
 use crate::plan::writing::plan_draft::Signed;
 
-/// The most gathered coefficients. Each new one is compared with all others.
+/// At most this many coefficients are gathered, because each new one is compared with all others.
 const MOST_GATHERED: usize = 1024;
 
 impl Writer {
-    /// Replaces each sum of constants before a product of states by a coefficient. Returns `None`
-    /// if no sum can be gathered.
+    /// Replaces each sum of constants that multiplies a product of states by one prepared constant.
+    /// Returns `None` if no sum can be replaced.
     pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
             return None;

@@ -72,8 +72,6 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
         let mut place = 0;
         loop {
             let below = best.as_ref().map_or(least, |best| best.left);
-            // The overlap counts common monomials and equal coefficients of P and m·g, from `place`
-            // on in g.
             let common = (polynomial.len() + sum.len() + 1).saturating_sub(below);
             if common + place > 2 * sum.len() {
                 break;
@@ -87,8 +85,8 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
     best
 }
 
-/// Returns the quotient m of a term of P by a term of g, if the overlap of P and m·g is at least
-/// `common`.
+/// Returns the quotient m of a term of P by a term of g, if P and m·g agree in at least `common`
+/// monomials and coefficients.
 fn multiple_at(
     polynomial: &Polynomial,
     sum: &Polynomial,
