@@ -22,7 +22,7 @@ fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], workspace: &mut Workspa
         one_by_one = Step::next(&map, &one_by_one, workspace).unwrap();
     }
     assert_eq!(x, one_by_one);
-    // A whole step and an empty step, taken as fractions of a step.
+    // The method `part` can also take a whole step or an empty step.
     let (mut whole, mut none) = (start.to_vec(), start.to_vec());
     map.part(&EPS, &mut whole, workspace).unwrap();
     assert_eq!(Some(whole), Step::next(&map, &start.to_vec(), workspace));
@@ -65,7 +65,7 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     let found = advanced(&at, &start, workspace);
     let own = || {
         let mut x = start.clone();
-        // The chain's own method `advance`, although the trait is in scope.
+        // This is the chain's own method `advance`, although the trait `Step` is in scope.
         at.advance(&mut x, STEPS);
         x
     };
@@ -94,7 +94,7 @@ fn modes_are_maps() {
     let state = chosen.state(start.as_slice());
     assert_eq!(state, [0.5, 1.0, 0.25, 0.0, 0.0, 0.0]);
     assert_eq!(Orbit::new(chosen, state).nth(9).unwrap()[..3], *points[9].as_slice());
-    // An orbit continues exactly only with its rounding errors.
+    // An orbit continues exactly only if its state includes the rounding errors.
     let last = Orbit::new(Compensated(plain), SMatrix::from_column_slice(&carried)).nth(1).unwrap();
     assert_eq!(last, plain.orbit(start).compensated().nth(STEPS as usize + 1).unwrap());
     let (mut part, mut alone) = (carried, [carried[0], carried[1], carried[2]]);

@@ -37,8 +37,8 @@ pub struct CouplingRow {
 }
 
 impl CouplingRow {
-    /// Creates a row from the indices of its first entry, its first entry in its own block, its
-    /// diagonal entry, and the entry after its last.
+    /// Creates a row from four indices of entries: the row's first entry, its first entry in its
+    /// own block, its diagonal entry, and the entry after its last.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
         CouplingRow { start, own, diagonal, end }

@@ -57,7 +57,8 @@ pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
 pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
-        // All entries must be zero, because beside a NaN a zero pivot proves nothing.
+        // All entries are tested, because beside a NaN a zero pivot does not prove that A is
+        // singular.
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }

@@ -1,9 +1,9 @@
 //! Solves a banded system, cyclic or not, by one elimination with partial pivoting.
 //!
 //! A cyclic band of half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order
-//! 0, n−1, 1, n−2, …. Entries in one place are added; therefore a ring may be shorter than its
-//! band. To save memory, a solver may store few rows of U at once, and eliminate again during back
-//! substitution.
+//! 0, n−1, 1, n−2, …. Entries of equal row and column are added; therefore a ring may be shorter
+//! than its band. To save memory, a solver may store few rows of U at once, and eliminate again
+//! during back substitution.
 
 use std::vec;
 use std::vec::Vec;

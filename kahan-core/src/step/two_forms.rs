@@ -7,8 +7,8 @@ use crate::scalar::tuning;
 
 use super::{PreparedStep, Quotients, StepCost, StraightStep};
 
-/// A step with two forms. One is divided by ε and serves floats at an ordinary ε; the other is
-/// general.
+/// A step with two forms. One is divided by ε, for floats and an ε that is neither tiny nor huge;
+/// the other is general.
 ///
 /// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, which saves a multiplication. The
 /// divided form overflows sooner, and cannot run in lanes.

@@ -64,7 +64,6 @@ fn neither_place_nor_number_of_trajectories_matters() {
         Ensemble::new(points)
             .observe(&map, steps, |i| (Fli::new(&map), Extrema::of(move |_: &[f64]| i as f64)))
     };
-    // Enough points for several threads.
     let many = observe(points(3000), 50);
     for (i, (fli, index)) in many.iter().enumerate() {
         assert_eq!(index.unwrap().least, i as f64);

@@ -11,7 +11,7 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, BoundedPair, InputLimit, Magnitude, Number, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
-/// A next state with a bound on the error of every component, without the last roundings.
+/// A next state with an error bound for every component. The bound excludes the last roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundedStep<V: Number, const N: usize> {
     pub(super) next: [V; N],
@@ -60,8 +60,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment without a reciprocal counts as a product with 1. The loop avoids closures,
-        // because compilers would not inline them.
+        // An increment without a reciprocal is treated as a product with 1. The loop avoids
+        // closures, because compilers would not inline them.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {

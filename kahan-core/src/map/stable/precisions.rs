@@ -27,8 +27,8 @@ use super::scalars::PromiseScalar;
 /// difference between ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// The number of operations up to which values and magnitudes are computed separately. In short
-/// steps packing would delay the values.
+/// Up to this number of operations, values and magnitudes are computed separately. In short steps,
+/// packing both into one register would delay the values.
 const SHORT: u32 = 36;
 
 #[cfg_attr(not(debug_assertions), inline(always))]

@@ -85,7 +85,7 @@ pub(crate) trait Number: Scalar + Copy {
 
     /// Returns |self|, rounded to a magnitude.
     fn size(&self) -> Self::Magnitude;
-    /// Returns the error radius of numbers that carry one.
+    /// Returns the error radius, or `None` if the type of number stores none.
     #[inline(always)]
     fn radius(&self) -> Option<Self::Magnitude> {
         None

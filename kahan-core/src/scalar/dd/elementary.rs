@@ -1,7 +1,7 @@
 //! Exponential function, logarithm, sine and cosine, with error bounds in terms of u = 2⁻⁵³.
 //!
 //! The argument is reduced to a small r, at which a series is summed. A bound adds the errors of
-//! the reduction, of the last sum, and of the other terms, weighted by their share in the value.
+//! the reduction, of the last sum, and of the other terms, weighted by their fraction of the value.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, LOG2_E, SQRT_2};
 

@@ -17,7 +17,7 @@ pub(super) struct DigitRow<const M: usize> {
     cut: Size,
 }
 
-/// The capacity of short rows, and the number of leading digits that a short row takes.
+/// The capacity of a short row in digits. `LEADING` digits of a long row are copied to a short one.
 const SHORT: usize = 40;
 const LEADING: usize = 18;
 
@@ -27,7 +27,7 @@ fn from_here_on((place, digit): (i64, i64)) -> Size {
 }
 
 impl<const M: usize> DigitRow<M> {
-    /// Whether quotient digits are estimated by dividing short rows instead of floats.
+    /// Whether quotient digits are estimated from short rows of leading digits instead of floats.
     const IS_LONG: bool = M > SHORT;
 
     /// The minimum number of correct bits of an estimated quotient.
