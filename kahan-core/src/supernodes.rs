@@ -23,7 +23,7 @@ const ROWS: usize = 4;
 const PIVOTS: usize = 16;
 /// A panel with at most this number of pivots may reduce rows one pivot at a time.
 const FEWEST: usize = 4;
-/// The minimum number of columns for which loops over lanes pay.
+/// From this number of columns on, loops over lanes save time.
 const SHORTEST: u32 = 4;
 
 /// The panels of an elimination, and the tasks that reduce their rows.
@@ -331,8 +331,8 @@ fn negligible<T: InLanes>(largest: T) -> T {
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: InLanes> Work<'_, T> {
-    /// Computes the factors of a panel. Returns `false` if a pivot is 0 or too small. Each function
-    /// is called at one place only, because its body is inlined there.
+    /// Computes the factors of a panel. Returns `false` if a pivot is 0 or too small. The functions
+    /// for reductions are called at one place each, because they are inlined.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
         let supernodes = self.supernodes;

@@ -129,7 +129,7 @@ fn modes_are_maps() {
     assert_eq!(x, ThroughF64(E6).step(&single, eps as f32 / 2.0).as_slice());
 }
 
-/// Compares propagated tangent vectors with an orbit that has vectors beside its point.
+/// Compares propagated tangent vectors with an orbit whose states contain the vectors.
 fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, start: &[f64]) {
     let carried = Orbit::new(Tangent::new(map, 2), start.to_vec()).nth(STEPS as usize).unwrap();
     let columns = |numbers: &[f64]| SMatrix::<f64, 3, 3>::from_column_slice(numbers);
@@ -322,7 +322,7 @@ fn orbits_are_told_by_time() {
         stages.map(|stage| 2.0 * (stage * part * eps).atan()).sum()
     };
     let angle = 0.6_f64.atan2(0.8) + 7.0 * turn(1.0) + turn(1.9 / (2.0 * eps) - 7.0);
-    // About a hundred stages round by one or two units of 2⁻⁵³.
+    // Each of about a hundred stages rounds by one or two units of 2⁻⁵³.
     assert!((last[0] - angle.sin()).abs() < 2e-14, "{last}");
 
     let mut orbit = Turn.orbit(start, eps);

@@ -97,7 +97,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     ///
     /// `map` is a [`KahanAt`], or for a higher order a [`composed`](KahanAt::composed) map. If ε or
     /// the parameters differ, pass a slice or vector with one map per point. Such maps also run in
-    /// SIMD lanes, and always [divide](crate::Reciprocal::Divided).
+    /// SIMD lanes, always with [`Divided`](crate::Reciprocal::Divided) reciprocals.
     ///
     /// No memory is allocated. With the feature `parallel`, large ensembles run on rayon's current
     /// thread pool, with equal bits. After a pole, a trajectory's floats are infinite or NaN. After
@@ -179,7 +179,7 @@ where
 
 pub(crate) type ColumnSlices<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
-/// Splits the columns into two halves of whole tiles. Returns `Err` if two tasks would not pay.
+/// Splits the columns into halves of whole tiles, or returns `Err` if there is too little work.
 #[cfg(feature = "parallel")]
 fn halves<T, const N: usize>(
     mut columns: ColumnSlices<'_, T, N>,

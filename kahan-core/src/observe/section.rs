@@ -209,14 +209,15 @@ where
         }
     }
 
-    /// Forgets the latest point. The caller may then skip points, as long as s keeps its sign
-    /// there.
+    /// Forgets the latest point. Callers may then skip points between which the function of the
+    /// section keeps its sign.
     #[doc(hidden)]
     pub fn restart(&mut self) {
         self.height = f64::NAN;
     }
 
-    /// Returns the crossing between the latest point and x, or `None` for a jump. `end` is s(x).
+    /// Returns the crossing between the latest point and x, or `None` for a jump. `end` is s(x),
+    /// where s is the function of the section.
     #[cold]
     #[inline(never)]
     fn crossing(&mut self, x: &[T], end: T) -> Option<Crossing<PointOf<M>, T>> {

@@ -49,13 +49,13 @@ fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     }
 }
 
-/// Returns whether steps over T are divided by ε if a form for division exists.
+/// Returns whether steps over T use the form that divides by ε, if there is one.
 #[inline(always)]
 pub(crate) fn divides_by_eps<T: 'static>() -> bool {
     bits_of_steps::<T>().is_some()
 }
 
-/// Returns whether a step at this ε may be divided by ε.
+/// Returns whether a step at this ε may use the form that divides by ε.
 #[inline(always)]
 pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     bits_of_steps::<T>().is_some_and(|bits| {

@@ -5,8 +5,7 @@ use std::vec;
 use super::*;
 use crate::field::couplings::CouplingRow;
 
-/// The tables of an elimination in the order of the variables, for given pairs of coupled
-/// variables.
+/// The tables of an elimination in the order of the variables, for given positions of entries.
 struct Pattern {
     order: Vec<u32>,
     rows: Vec<CouplingRow>,

@@ -21,7 +21,7 @@ fn all<'a>(
     (variables, Lyapunov::new(map), indicators)
 }
 
-/// Returns the debug text, because orbits that escape give NaNs.
+/// Returns the debug text, in which the NaNs of escaping orbits are equal.
 fn text(report: impl std::fmt::Debug) -> String {
     format!("{report:?}")
 }

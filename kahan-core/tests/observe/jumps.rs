@@ -57,7 +57,7 @@ fn sign_changes<S: Step<Scalar = T>, T: FloatScalar>(
     [count(|before, after| before < 0.0 && after >= 0.0), count(|before, after| before > 0.0 && after <= 0.0)]
 }
 
-/// Checks that all sign changes in one direction are crossings, in the other direction jumps.
+/// Checks that all sign changes in one direction are crossings, and in the other are jumps.
 fn falls_through_infinity<S: Step<Scalar = T>, T: FloatScalar>(map: &S, start: S::State, is_mirrored: bool) {
     let [rising, falling] = sign_changes(map, start.clone(), 200, |x| x[0]);
     assert!(rising > 5 && falling > 5);

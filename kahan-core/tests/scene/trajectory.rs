@@ -50,8 +50,8 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
         if distance.is_nan() { f64::INFINITY } else { distance }
     }
 
-    /// Returns the largest relative distance of a setting's orbit, at its end and at about
-    /// `samples` points. The first distance above `enough` is returned at once.
+    /// Returns the largest relative distance between a setting's orbit and this trajectory, at the
+    /// end and at about `samples` points. The first distance above `enough` is returned at once.
     pub(crate) fn error(
         &self,
         setting: &Setting,

@@ -1,4 +1,4 @@
-//! The memory in which a thread computes one group.
+//! The memory in which a thread computes one group of parts of a chain.
 
 use crate::Scalar;
 use crate::ensemble::Level;

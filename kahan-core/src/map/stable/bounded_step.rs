@@ -22,8 +22,8 @@ pub(super) struct BoundedStep<V: Number, const N: usize> {
 
 impl<V: Number, const N: usize> BoundedStep<V, N> {
     /// Computes the step over numbers with error bounds. The values equal the fast step bit for
-    /// bit. Returns `None` if a denominator may be zero, or if an input exceeds the limit for
-    /// underflow.
+    /// bit. Returns `None` if a denominator may be zero, or if an input is so large that the bound
+    /// does not cover underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: BoundedPair<V>, M: ExtendScalars<T, N>>(
         map: &M,

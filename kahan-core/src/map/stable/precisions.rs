@@ -50,7 +50,7 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: PromiseScalar, const N
     }
 }
 
-/// Runs precision level 1 in the general form, for an ε by which the step must not be divided.
+/// Runs precision level 1 in the general form, for an ε by which the step must not divide.
 #[cold]
 #[inline(never)]
 pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
@@ -132,7 +132,8 @@ pub(super) fn in_wide<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
 }
 
 /// Runs precision level 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to
-/// `next`. The terms of expanded formulas may differ by more digits than the numbers have.
+/// `next`. Terms in the expanded formulas of other levels may differ by more digits than the
+/// numbers have.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(

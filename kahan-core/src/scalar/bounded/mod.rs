@@ -101,7 +101,7 @@ pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     bits: u32,
     /// An approximation of 1/|value|, for a quotient whose numerator is an integer constant.
     inverse: Option<V::Magnitude>,
-    /// An approximation of magnitude/|value| without the slack.
+    /// An approximation of magnitude/|value| without the factor `SLACK`.
     ratio: Option<V::Magnitude>,
 }
 
@@ -164,7 +164,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         self.inputs == 0
     }
 
-    /// Returns whether this is an unchanged input by which steps may be divided.
+    /// Returns whether this is an unchanged input by which steps may divide.
     #[inline(always)]
     pub(crate) fn is_ordinary_input(&self) -> bool {
         let is_input = self.inputs == 1 && self.roundings == 0 && self.bits == 0;

@@ -11,7 +11,7 @@ use super::Dd;
 use super::error_free::two_product;
 use super::extremes::{exponent, scaled};
 
-/// The leading 40 bits of ln 2. Products with exponents are exact.
+/// The leading 40 bits of ln 2, so that products with exponents are exact.
 const LN_2: f64 = 0.6931471805592082;
 const REST_OF_LN_2: Dd = Dd { high: 7.371002565167799e-13, low: 1.94704509238075e-31 };
 

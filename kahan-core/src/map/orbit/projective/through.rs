@@ -28,7 +28,7 @@ pub(super) trait PassageScalar: Scalar {
         is_flat: &mut bool,
     ) -> bool;
 
-    /// Returns whether two limits agree, up to traces of the perturbation δ.
+    /// Returns whether two limits agree, up to small terms that contain the perturbation δ.
     fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool;
 }
 

@@ -264,7 +264,7 @@ fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     }
 }
 
-/// The terms are too far apart for 17 digits in expanded forms, but elimination succeeds.
+/// Expanded forms would need more than 17 × 64 bits for their terms, but elimination succeeds.
 #[cfg(feature = "std")]
 #[test]
 fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {

@@ -261,7 +261,7 @@ mod premises {
     }
 }
 
-/// The numerator is 0 after an underflow, and only the allowance covers the error of the product.
+/// The numerator underflows to 0. Only the allowance covers the error of the product.
 #[test]
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");

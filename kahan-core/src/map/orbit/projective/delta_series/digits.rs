@@ -32,11 +32,11 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN) { leading } else { entry }
 }
 
-/// Steps back to the first point may amplify rounding errors by 2 to this power.
+/// The steps back to the first point may amplify rounding errors by 2 to this power.
 const LOST: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// The first attempt has δ = 0, for points near a pole. The others differ in their directions.
+    /// The first attempt has δ = 0, for points near a pole. The other attempts use other lines.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
