@@ -17,11 +17,11 @@ pub const LARGEST_FACTOR: i64 = 16;
 pub struct Couplings<'a> {
     /// The variables in the order of elimination.
     pub order: &'a [u32],
-    /// For each row, the range of its entries.
+    /// For each row of A, the range of its entries.
     pub rows: &'a [CouplingRow],
-    /// For each entry, its column.
+    /// For each entry of A, the index of its column.
     pub columns: &'a [u32],
-    /// For each diagonal block, the index after its last row. Blocks are solved in order.
+    /// For each diagonal block of A, the index after its last row. Blocks are solved in order.
     pub blocks: &'a [u32],
     /// For each nonzero entry of f′, its index among the entries of A.
     pub places: &'a [u32],

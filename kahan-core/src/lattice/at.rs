@@ -143,8 +143,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 
     /// Sets the instruction set of the steps, which affects the last bits of long chains. The
-    /// default is the highest of the processor. Returns `None` if the processor lacks the
-    /// instruction set.
+    /// default is the processor's highest instruction set. Returns `None` if the processor lacks
+    /// the instruction set.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
         self.memory = Mutex::new(StepWorkspace::new(self.form));

@@ -67,7 +67,7 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// The sizes as values.
+    /// The sizes of this stencil as values.
     pub const SIZES: Sizes = {
         assert!(B > 0 && R > 0 && SITES == 2 * R + 1 && WIDTH == LOWER + 1 + UPPER);
         assert!(LOWER < (R + 1) * B && UPPER < (R + 1) * B);

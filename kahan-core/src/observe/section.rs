@@ -193,7 +193,7 @@ where
     T: FloatScalar,
     S: CrossingReceiver<Crossing<PointOf<M>, T>>,
 {
-    /// Creates an observer that passes each crossing with `level` = 0 by orbits of `map` to `sink`.
+    /// Creates an observer of orbits of `map`, which passes each crossing of `level` = 0 to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
         let place = M::State::zeros(map.dimension());
         Self {

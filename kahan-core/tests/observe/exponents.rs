@@ -44,7 +44,8 @@ fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     }
 }
 
-/// Vectors grow or shrink by 2⁴⁰ per step. A shrinking vector is a difference that leaves 13 bits.
+/// Vectors grow or shrink by 2⁴⁰ per step. A shrinking vector is a difference of which only 13 bits
+/// remain.
 #[test]
 fn steep_growth_leaves_no_range() {
     let eps = 1.0 - 2_f64.powi(-39);

@@ -36,8 +36,8 @@ pub(crate) use scalars::PromiseScalar;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
 
-/// Steps with the error bound 64 u over floats of this crate. Other scalars get a finite result
-/// without a bound.
+/// Takes a step with the error bound 64 u over floats of this crate (u is the rounding unit). Other
+/// scalars get a finite result without a bound.
 ///
 /// Floats ignore `prepared`, because its numbers are rounded without a bound. In a loop compilers
 /// move the preparation over bounded numbers out of the loop.

@@ -116,7 +116,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Self { inputs: 1, ..Self::of(BoundedPair::new(value, value.size())) }
     }
 
-    /// Creates a literal. A literal that is rounded may underflow.
+    /// Creates a literal. Each of its roundings may have been an underflow, and is counted as one.
     #[inline(always)]
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
