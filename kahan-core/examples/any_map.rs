@@ -1,4 +1,4 @@
-//! Applies one function to any map: a mass on a spring by Kahan's method, by order eight, and as a
+//! Applies one function to three maps of springs: Kahan's map, a composition of order eight, and a
 //! chain.
 
 use kahan_core::observe::first_crossing;
@@ -28,7 +28,7 @@ fn zero<M: Step<Scalar = f64>>(map: M, start: M::State) -> Option<f64> {
     first_crossing(map, start, 100_000, |x| x[0]).map(|crossing| crossing.time)
 }
 
-/// Prints and returns the times. A quarter of a period takes π/2.
+/// Prints and returns the times at which the first position is zero. The exact time is π/2.
 pub(crate) fn run() -> [f64; 4] {
     let eps = 0.01; // half the time step
     let clock = Clock { spring: Spring.at(eps), hand: vector![1.0, 0.0] };
@@ -39,7 +39,7 @@ pub(crate) fn run() -> [f64; 4] {
     let maps: [(&str, Box<dyn Step<Scalar = f64>>); 3] =
         [("plain", Box::new(clock.spring)), ("order 8", Box::new(order_eight)), ("chain", Box::new(chain))];
     let [plain, of_order_eight, of_chain] = maps.map(|(name, map)| {
-        // Equal masses swing as one mass does.
+        // All masses start alike; therefore the springs between them stay relaxed.
         let start = [1.0, 0.0].repeat(map.dimension() / 2);
         let time = zero(&*map, start).expect("it swings");
         println!("{name:8} {time:.15}");

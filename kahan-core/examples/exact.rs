@@ -1,4 +1,4 @@
-//! Exact orbits over big rationals. The growth of their digits reveals integrals.
+//! Exact orbits over big rationals. The growth of their numbers of digits reveals integrals.
 //!
 //! If integrals confine the orbit to a curve (E6), the number of digits grows like the square of
 //! the number of steps. Otherwise each step doubles the digits (Lotka–Volterra).

@@ -66,8 +66,8 @@ pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Stores a result. Scalars other than floats use a call, because thousands of inlined stores would
-/// take minutes to compile.
+/// Stores a result. For scalars other than floats the store is a call, because thousands of inlined
+/// stores would take minutes to compile.
 #[inline(always)]
 pub fn put<T: Scalar>(place: &mut T, result: T) {
     #[inline(never)]
@@ -77,8 +77,8 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions with the names of method arguments. Generated code imports these names, so that no
-/// constant of the user captures a pattern.
+/// Functions with the names of the arguments of generated methods. Generated code imports them,
+/// because a user's constant of an equal name would otherwise make the argument a constant pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}
@@ -93,7 +93,7 @@ pub mod arguments {
     pub fn s() {}
 }
 
-/// Returns whether a step may use the form that divides by ε.
+/// Returns whether |ε| is in the range in which a step may be computed with divisions by ε.
 pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     crate::scalar::tuning::may_divide_by(eps)
 }

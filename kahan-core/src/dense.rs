@@ -1,8 +1,8 @@
 //! Elimination for dense fields f, in loops over rows or over the points of an ensemble.
 //!
-//! [`velocity`] computes A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). The operations have the order of
-//! [`Couplings`](crate::__private::Couplings), for any number of lanes. Products that are missing
-//! in the field have the coefficient 0, which changes at most signs of zeros.
+//! [`velocity`] computes A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). The operations run in the order of
+//! [`Couplings`](crate::__private::Couplings), for any number of lanes. Products xⱼxₖ that do not
+//! occur in f have the coefficient 0, which changes at most the signs of zeros.
 
 mod points;
 #[cfg(test)]
@@ -19,7 +19,7 @@ use crate::{Constant, Level};
 pub use points::{points, velocities};
 
 const PIVOTS: usize = 8;
-/// The number of columns that are reduced together.
+/// The number of matrix columns that are reduced in one loop.
 const COLUMNS: usize = 4;
 
 /// Returns the number of coefficients of a component of a field. A component has a constant, one
@@ -73,7 +73,7 @@ pub struct Workspace<T> {
     /// The matrix A(x,ε) column by column, followed by f(x).
     columns: Vec<T>,
     factors: Vec<T>,
-    /// The pivots with a large factor, which are checked again at the end.
+    /// The pivots that are small beside their column. Their rows are compared at the end.
     suspects: Vec<usize>,
 }
 
@@ -139,7 +139,7 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     }
 }
 
-/// Loops over registers L of T. Each lane holds a row, or a point if `POINTS` is true.
+/// Loops over registers of the type L, whose lanes hold rows, or points if `POINTS` is true.
 #[derive(Clone, Copy)]
 struct Loops<T, L, const POINTS: bool> {
     variables: usize,
@@ -172,7 +172,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
-    /// Returns a plain range of registers, because loops over `step_by` may not be inlined.
+    /// Returns register indices as a plain range, because loops over `step_by` may not be inlined.
     #[inline(always)]
     fn registers(self, start: usize, end: usize) -> Range<usize> {
         start / L::WIDTH..end / L::WIDTH
@@ -209,7 +209,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         }
     }
 
-    /// Adds the products with W variables, from `first` on, to f and f′.
+    /// Adds the products xⱼxₖ with k ≥ j to f and f′, for the W variables xⱼ from j = `first` on.
     #[inline(always)]
     fn block<const W: usize>(
         self,
@@ -308,8 +308,8 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
     }
 
-    /// Replaces pivot k by its reciprocal, and writes the factors of the rows below. Returns
-    /// whether a factor exceeds `most`, or `None` if the pivot is 0.
+    /// Replaces pivot k by its reciprocal, and stores the factor of each lower row. Returns whether
+    /// a factor exceeds `most`, or `None` if the pivot is 0.
     #[inline(always)]
     fn factors(self, [k, pivot]: [usize; 2], most: T, columns: &mut [T], factors: &mut [T]) -> Option<bool> {
         let own = &mut columns[self.column(k)..][..self.height];
@@ -365,7 +365,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts multiples of `PIVOTS` pivot rows from all rows from `below` on.
+    /// Subtracts multiples of `PIVOTS` pivot rows from all rows from the index `below` on.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn subtract_all<const W: usize>(

@@ -39,7 +39,7 @@
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
 //! | observation of orbits: exponents, sections, rotation numbers, drift, extrema | [`observe`]: [`Orbit::observe`], [`Ensemble::observe`] |
 //! | derivatives, determinants | [`KahanMap::jacobian`], [`det_jacobian`](KahanMap::det_jacobian) |
-//! | one state of a point | `x[E6::X]`, a constant of the type for each state |
+//! | one variable of a point | `x[E6::X]`; the type has a constant for each variable |
 //! | integrals, a density, brackets, drifts | methods of the type that the macro makes: `integrals` and each integral by its name, `density`, `bracket_NAME`, `drift_NAME` |
 //! | a chain of any number of sites | a family `for i in … { … }` in [`kahan!`] makes a [`LatticeMap`], its [`at`](LatticeMap::at) a [`LatticeAt`] |
 //! | another kind of number | `f32`, `f64`, [`Dd`] with twice the digits, `BigRational` with the feature `exact` |
@@ -58,7 +58,7 @@
 //! | rounding without drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
 //! | error estimates along an orbit | [`Orbit::with_error_estimate`] |
 //! | tangent vectors, an observer of your own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
-//! | modes as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
+//! | modes of orbits as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
 //!
 //! With the feature `serde` numbers, points, crossings and reports are serialisable. `serde_json`
 //! needs its feature `float_roundtrip` to read back every bit. Without default features the crate

@@ -21,9 +21,9 @@ const MOST_ROWS: usize = 32;
 const ROWS: usize = 4;
 /// The maximum number of pivot rows that are subtracted from rows at once.
 const PIVOTS: usize = 16;
-/// The maximum number of pivots in a panel that may reduce rows one pivot at a time.
+/// A panel with at most this number of pivots may reduce rows one pivot at a time.
 const FEWEST: usize = 4;
-/// The minimum number of columns for which loops over lanes pay.
+/// From this number of columns on, loops over lanes save time.
 const SHORTEST: u32 = 4;
 
 /// The panels of an elimination, and the tasks that reduce their rows.
@@ -64,7 +64,7 @@ struct PanelReduction {
 /// The reduction of one row, or of [`ROWS`] rows, by consecutive pivots.
 #[derive(Clone, Debug)]
 struct RowReduction {
-    /// The indices of the rows within the panel. If `is_alone` is true, only the first counts.
+    /// The indices of the rows within the panel. If `is_alone` is true, only the first is used.
     rows: [u32; ROWS],
     is_alone: bool,
     is_last: bool,
@@ -87,8 +87,8 @@ pub struct PanelWorkspace<T> {
     rows: Vec<T>,
     /// For each row, the magnitude below which an entry is negligible.
     limits: Vec<T>,
-    /// For each column of A, the magnitude below which an entry is negligible. An entry counts as 0
-    /// if it is negligible in its row and in its column.
+    /// For each column of A, the magnitude below which an entry is negligible. An entry is replaced
+    /// by 0 if it is negligible in its row and in its column.
     column_limits: Vec<T>,
     factors: Vec<T>,
     uppers: Vec<usize>,
@@ -258,9 +258,9 @@ impl Supernodes {
     /// Replaces A by its LU factors, as [`Couplings::factor`] does. Returns `false` if a pivot is 0
     /// or too small; the values are then useless.
     ///
-    /// With `flushes`, an entry counts as 0 if it is negligible in its row and in its column of A.
-    /// A negligible entry is below [`InLanes::NEGLIGIBLE`] times the largest off-diagonal entry.
-    /// Without `flushes`, factors of distant variables can become subnormal, which is slow.
+    /// With `flushes`, an entry is replaced by 0 if it is negligible in its row and in its column
+    /// of A. A negligible entry is below [`InLanes::NEGLIGIBLE`] times the largest off-diagonal
+    /// entry. Without `flushes`, factors of distant variables can become subnormal, which is slow.
     #[must_use]
     pub fn factor<T: InLanes>(
         &self,
@@ -331,8 +331,8 @@ fn negligible<T: InLanes>(largest: T) -> T {
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: InLanes> Work<'_, T> {
-    /// Computes the factors of a panel. Returns `false` if a pivot is 0 or too small. Each function
-    /// is called at one place only, because its body is inlined there.
+    /// Computes the factors of a panel. Returns `false` if a pivot is 0 or too small. The functions
+    /// for reductions are called at one place each, because they are inlined.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
         let supernodes = self.supernodes;

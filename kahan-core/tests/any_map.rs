@@ -22,7 +22,7 @@ fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], workspace: &mut Workspa
         one_by_one = Step::next(&map, &one_by_one, workspace).unwrap();
     }
     assert_eq!(x, one_by_one);
-    // A whole step and an empty step, taken as fractions of a step.
+    // The method `part` can also take a whole step or an empty step.
     let (mut whole, mut none) = (start.to_vec(), start.to_vec());
     map.part(&EPS, &mut whole, workspace).unwrap();
     assert_eq!(Some(whole), Step::next(&map, &start.to_vec(), workspace));
@@ -65,7 +65,7 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     let found = advanced(&at, &start, workspace);
     let own = || {
         let mut x = start.clone();
-        // The chain's own method `advance`, although the trait is in scope.
+        // This is the chain's own method `advance`, although the trait `Step` is in scope.
         at.advance(&mut x, STEPS);
         x
     };
@@ -94,7 +94,7 @@ fn modes_are_maps() {
     let state = chosen.state(start.as_slice());
     assert_eq!(state, [0.5, 1.0, 0.25, 0.0, 0.0, 0.0]);
     assert_eq!(Orbit::new(chosen, state).nth(9).unwrap()[..3], *points[9].as_slice());
-    // An orbit continues exactly only with its rounding errors.
+    // An orbit continues exactly only if its state includes the rounding errors.
     let last = Orbit::new(Compensated(plain), SMatrix::from_column_slice(&carried)).nth(1).unwrap();
     assert_eq!(last, plain.orbit(start).compensated().nth(STEPS as usize + 1).unwrap());
     let (mut part, mut alone) = (carried, [carried[0], carried[1], carried[2]]);
@@ -129,7 +129,7 @@ fn modes_are_maps() {
     assert_eq!(x, ThroughF64(E6).step(&single, eps as f32 / 2.0).as_slice());
 }
 
-/// Compares propagated tangent vectors with an orbit that has vectors beside its point.
+/// Compares propagated tangent vectors with an orbit whose states contain the vectors.
 fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, start: &[f64]) {
     let carried = Orbit::new(Tangent::new(map, 2), start.to_vec()).nth(STEPS as usize).unwrap();
     let columns = |numbers: &[f64]| SMatrix::<f64, 3, 3>::from_column_slice(numbers);
@@ -322,7 +322,7 @@ fn orbits_are_told_by_time() {
         stages.map(|stage| 2.0 * (stage * part * eps).atan()).sum()
     };
     let angle = 0.6_f64.atan2(0.8) + 7.0 * turn(1.0) + turn(1.9 / (2.0 * eps) - 7.0);
-    // About a hundred stages round by one or two units of 2⁻⁵³.
+    // Each of about a hundred stages rounds by one or two units of 2⁻⁵³.
     assert!((last[0] - angle.sin()).abs() < 2e-14, "{last}");
 
     let mut orbit = Turn.orbit(start, eps);

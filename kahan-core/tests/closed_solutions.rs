@@ -34,8 +34,8 @@ where
     Flow::through(field, SVector::from(start).map(T::from), end, 0.0, &mut |_| true)
 }
 
-/// The flow has about forty pieces, each with an error below one rounding unit. Later, the flow
-/// amplifies an early error by at most 1/(4x₀) = 2.5.
+/// The flow is stored in about forty pieces, each with an error below one rounding unit. Later, the
+/// flow amplifies an early error by at most 1/(4x₀) = 2.5.
 #[test]
 fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     let f64s = through::<_, f64, 1>(&Logistic, [0.1], 10.0).expect("it exists");

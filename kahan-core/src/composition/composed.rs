@@ -12,7 +12,7 @@ use crate::{
 
 use super::Composition;
 
-/// A [`Composition`] of a map at a fixed ε, half the time step; see [`KahanAt::composed`].
+/// A [`Composition`] of a map at a fixed ε, which is half the time step; see [`KahanAt::composed`].
 #[derive(Clone, Copy)]
 pub struct Composed<S: Step> {
     pub(super) stages: Palindrome<S>,
@@ -22,7 +22,7 @@ pub struct Composed<S: Step> {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palindrome<P> {
-    /// The distinct stages in the first `len` entries, then copies of the middle stage.
+    /// The distinct stages. Entries from `len` on are copies of the middle stage.
     pub(super) steps: [P; MOST],
     pub(super) len: usize,
 }
@@ -104,7 +104,7 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // The first stage can step at any ε, and therefore takes all steps.
+        // The method `part` takes any ε; therefore the first stage computes all stages.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))

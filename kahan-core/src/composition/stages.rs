@@ -1,4 +1,4 @@
-//! The stages of a step, for callers that run the stages in SIMD lanes or with tangent vectors.
+//! The stages of a step, for code that runs stages in SIMD lanes or with tangent vectors.
 
 use nalgebra::SVector;
 

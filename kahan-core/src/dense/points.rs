@@ -9,7 +9,7 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 
 use super::{COLUMNS, Loops, Workspace, minus_product};
 
-/// Returns the number of points that [`velocities`] takes, the numbers in a register of 512 bits.
+/// Returns the number of points that [`velocities`] takes, one per lane of a 512-bit register.
 #[must_use]
 pub const fn points<T: InLanes>() -> usize {
     T::MOST

@@ -5,7 +5,6 @@ use super::{LARGEST_FACTOR, Work, Workspace, coefficients, pack, points, run, ve
 use crate::Level;
 use crate::ensemble::lanes::InLanes;
 
-/// Registers of two and of four numbers give equal bits, for every remainder of a block.
 #[test]
 fn lanes_of_any_number_have_the_same_bits() {
     fn agree<T: InLanes + From<f32>>(bits: impl Fn(T) -> u64) {
@@ -35,7 +34,6 @@ fn lanes_of_any_number_have_the_same_bits() {
     agree(|x: f32| u64::from(x.to_bits()));
 }
 
-/// A point in a lane has the bits of a single point, and `growth` reveals small pivots.
 #[test]
 fn points_side_by_side_are_solved_as_each_alone() {
     let mut state = 7_u32;

@@ -26,8 +26,8 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
         None
     }
 
-    /// Advances columns of equal length, whose first group has the number `first`. The error is the
-    /// ε of a map at a pole, over a scalar without a reciprocal of zero.
+    /// Advances columns of equal length; `first` is the index of their first group. The error is
+    /// the ε of a map that met a pole, over a scalar without a reciprocal of zero.
     #[doc(hidden)]
     fn advance(
         &self,
@@ -38,7 +38,6 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
     ) -> Result<(), T>;
 }
 
-// Each kind of map has its own implementation, to which compiler errors then refer.
 #[diagnostic::do_not_recommend]
 impl<M, T, const N: usize> Advances<T, N> for KahanAt<M, T, N>
 where
@@ -98,7 +97,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     ///
     /// `map` is a [`KahanAt`], or for a higher order a [`composed`](KahanAt::composed) map. If ε or
     /// the parameters differ, pass a slice or vector with one map per point. Such maps also run in
-    /// SIMD lanes, and always [divide](crate::Reciprocal::Divided).
+    /// SIMD lanes, always with [`Divided`](crate::Reciprocal::Divided) reciprocals.
     ///
     /// No memory is allocated. With the feature `parallel`, large ensembles run on rayon's current
     /// thread pool, with equal bits. After a pole, a trajectory's floats are infinite or NaN. After
@@ -148,8 +147,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Splits the columns over threads if this pays, otherwise calls `work` once. Each call gets the
-/// number of its first group. `join` combines the results of neighbouring ranges in order.
+/// Splits the columns over threads if this saves time, otherwise calls `work` once. Each call gets
+/// the index of its first group. `join` combines the results of neighbouring ranges in order.
 pub(crate) fn divide<T, R, const N: usize>(
     first: usize,
     columns: ColumnSlices<'_, T, N>,
@@ -180,7 +179,7 @@ where
 
 pub(crate) type ColumnSlices<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
-/// Splits the columns into two halves of whole tiles. Returns `Err` if two tasks would not pay.
+/// Splits the columns into halves of whole tiles, or returns `Err` if there is too little work.
 #[cfg(feature = "parallel")]
 fn halves<T, const N: usize>(
     mut columns: ColumnSlices<'_, T, N>,
@@ -189,7 +188,7 @@ fn halves<T, const N: usize>(
     use super::columns::GROUP;
     use super::sweep::groups_per_tile;
 
-    /// The minimum work of a task, which takes some tens of microseconds.
+    /// The minimum number of steps in a task. These steps take some tens of microseconds.
     const STEPS_PER_TASK: u64 = 1 << 16;
 
     let tile = groups_per_tile::<T, N>();

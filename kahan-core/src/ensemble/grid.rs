@@ -54,13 +54,12 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     pub fn grid(axes: [Axis<T>; N]) -> Self {
         let len = axes.iter().try_fold(1_usize, |len, axis| len.checked_mul(axis.count));
         let Some(len) = len else { panic!("a grid of more points than memory can hold") };
-        // This is the number of consecutive points that share a value of the axis.
+        // Along axis c, `runs[c]` consecutive points have equal values.
         let runs: [usize; N] = from_fn(|c| axes[c + 1..].iter().map(|axis| axis.count).product());
         Self::from_columns(Columns::new(len, |i, c| axes[c].value(i / runs[c] % axes[c].count)))
     }
 }
 
 fn integer<T: Scalar>(n: usize) -> T {
-    // The conversion is exact, because no axis has 2⁶³ values.
     T::constant(&Constant::integer(n as i64))
 }

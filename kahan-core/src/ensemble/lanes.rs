@@ -82,7 +82,7 @@ impl<T: Scalar + Copy> Lanes<T> for T {
     }
 }
 
-/// Work that is generic over the lane type of T.
+/// A computation that is generic over the lane type for the scalar T.
 pub trait OverLanes<T> {
     /// The type of the result.
     type Output;
@@ -100,8 +100,8 @@ pub trait InLanes: EnsembleScalar {
     /// The number of numbers in a 256-bit register.
     const ROWS: usize = Self::MOST / 2;
 
-    /// The fraction of the largest entries of its row and column below which an entry cannot change
-    /// the solution. The square of the fraction is a normal number.
+    /// An entry below this fraction of the largest entry of its row, and of the largest entry of
+    /// its column, cannot change the solution. The square of the fraction is a normal number.
     const NEGLIGIBLE: Self;
 
     /// Runs work with the instruction set `level`, or with the baseline if the processor lacks it.
@@ -109,8 +109,8 @@ pub trait InLanes: EnsembleScalar {
 }
 
 pub(super) trait LaneSweep: InLanes {
-    /// Advances columns of equal length by a step over lanes. The step uses the instruction set of
-    /// `on`, or the baseline if the processor lacks it.
+    /// Advances columns of equal length by the step of `map`, computed in lanes. The instruction
+    /// set is that of `on`, or the baseline if the processor lacks it.
     fn advance_lanes<S, const N: usize>(
         map: &S,
         columns: [&mut [Group<Self>]; N],

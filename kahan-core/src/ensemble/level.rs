@@ -1,6 +1,6 @@
 //! The instruction sets on which an ensemble can run, detected at run time.
 
-/// An instruction set for the steps of an [`Ensemble`](crate::Ensemble), in increasing order.
+/// An instruction set for the steps of an [`Ensemble`](crate::Ensemble). Higher sets are greater.
 ///
 /// The instruction set determines how many trajectories a register holds and whether multiply-adds
 /// are fused, and therefore the last bits of results.

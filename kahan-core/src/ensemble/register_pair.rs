@@ -1,5 +1,5 @@
-//! A pair of registers that is used as one register of twice the width. The operations on both
-//! registers overlap.
+//! A pair of registers that is used as one register of twice the width. The processor executes the
+//! operations on both registers in parallel.
 
 use core::ops::Neg;
 
@@ -16,7 +16,7 @@ pub struct RegisterPair<L>(L, L);
 
 operators!([L: Scalar + Copy] RegisterPair<L>: Self::sum, Self::difference, Self::product, Self::ratio);
 
-/// Functions have names, because closures are not inlined into functions with target features.
+/// Named functions replace closures, which are not inlined into functions with target features.
 impl<L: Scalar + Copy> RegisterPair<L> {
     #[inline(always)]
     fn sum(self, other: Self) -> Self {

@@ -36,7 +36,7 @@ pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
         sweep::<Self, S, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
     }
 
-    /// Runs work with the instruction set `level`. Returns `None` if the scalar has no lanes.
+    /// Runs `work` with the instruction set `level`. Returns `None` if the scalar has no lanes.
     #[doc(hidden)]
     fn over_lanes<W: OverLanes<Self>>(_work: W, _level: Level) -> Option<W::Output> {
         None

@@ -17,11 +17,11 @@ pub const LARGEST_FACTOR: i64 = 16;
 pub struct Couplings<'a> {
     /// The variables in the order of elimination.
     pub order: &'a [u32],
-    /// For each row, the range of its entries.
+    /// For each row of A, the range of its entries.
     pub rows: &'a [CouplingRow],
-    /// For each entry, its column.
+    /// For each entry of A, the index of its column.
     pub columns: &'a [u32],
-    /// For each diagonal block, the index after its last row. Blocks are solved in order.
+    /// For each diagonal block of A, the index after its last row. Blocks are solved in order.
     pub blocks: &'a [u32],
     /// For each nonzero entry of f′, its index among the entries of A.
     pub places: &'a [u32],
@@ -37,8 +37,8 @@ pub struct CouplingRow {
 }
 
 impl CouplingRow {
-    /// Creates a row from the indices of its first entry, its first entry in its own block, its
-    /// diagonal entry, and the entry after its last.
+    /// Creates a row from four indices of entries: the row's first entry, its first entry in its
+    /// own block, its diagonal entry, and the entry after its last.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
         CouplingRow { start, own, diagonal, end }

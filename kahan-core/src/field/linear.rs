@@ -57,7 +57,8 @@ pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
 pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
-        // All entries must be zero, because beside a NaN a zero pivot proves nothing.
+        // All entries are tested, because beside a NaN a zero pivot does not prove that A is
+        // singular.
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }
@@ -120,7 +121,7 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
         let toeplitz = toeplitz_column(c, m);
-        // With t the Toeplitz column: new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k).
+        // The new coefficient k is t_k + old_k + Σ t_{k−j}·old_j, summed over 1 ≤ j < k.
         let old = coefficients;
         coefficients = from_fn(|k| {
             if k > m {
@@ -139,8 +140,8 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     coefficients
 }
 
-/// Returns −d, −r·s, −r·C_m·s, …, −r·C_m^(m−1)·s, then zeros. The leading block of size m+1 of `c`
-/// is [[C_m, s], [r, d]].
+/// Returns column 0 of the m-th Toeplitz matrix without its leading 1: −d, −r·s, −r·C_m·s, …,
+/// −r·C_m^(m−1)·s, then zeros. The leading block of size m+1 of `c` is [[C_m, s], [r, d]].
 fn toeplitz_column<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, m: usize) -> [T; N] {
     let mut power: [T; N] = from_fn(|i| if i < m { c[(i, m)].clone() } else { T::zero() });
     from_fn(|k| {

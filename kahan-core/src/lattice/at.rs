@@ -133,7 +133,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = PromiseCheck::new(&map, &eps, sites * sizes.block);
-        // Steps with a bound work even if a constant overflows.
+        // Even if a constant overflows, `try_step` works, because it uses wider numbers.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
@@ -143,8 +143,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 
     /// Sets the instruction set of the steps, which affects the last bits of long chains. The
-    /// default is the highest of the processor. Returns `None` if the processor lacks the
-    /// instruction set.
+    /// default is the processor's highest instruction set. Returns `None` if the processor lacks
+    /// the instruction set.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
         self.memory = Mutex::new(StepWorkspace::new(self.form));
@@ -166,7 +166,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 
     /// Returns the number of steps that eliminated the whole chain at once. In a long chain, these
-    /// are the steps in which a part met a pivot that is too small.
+    /// are the steps in which a part of the chain met a pivot that is too small.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
@@ -206,7 +206,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// # Errors
     /// If the state is a pole, if the state or x̃ is not finite, or if no method reaches the bound.
-    /// The methods are two steps of refinement and, for at most 4096 unknowns, an elimination over
+    /// The methods are two steps of refinement and, for at most 4096 unknowns, an elimination with
     /// many digits, which allocates.
     ///
     /// # Panics

@@ -1,4 +1,4 @@
-//! The boundary condition of a chain, and the sizes of a family's equations.
+//! The boundary condition of a chain, and the numbers of arrays and neighbours of a family.
 
 /// The boundary condition of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub enum Boundary {
     Open,
 }
 
-/// The sizes of the equations of a family.
+/// The numbers of arrays, neighbours, parameters and scratch numbers in a family's equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
     /// The number of arrays, which is the number of unknowns per site.
@@ -67,7 +67,7 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// The sizes as values.
+    /// The sizes of this stencil as values.
     pub const SIZES: Sizes = {
         assert!(B > 0 && R > 0 && SITES == 2 * R + 1 && WIDTH == LOWER + 1 + UPPER);
         assert!(LOWER < (R + 1) * B && UPPER < (R + 1) * B);

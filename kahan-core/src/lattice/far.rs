@@ -1,5 +1,5 @@
-//! The step of a chain with numbers beyond the range of the scalar, by one elimination over long
-//! numbers.
+//! Computes a step of a chain by one elimination with numbers of many digits, for intermediate
+//! results beyond the range of the scalar.
 
 use std::vec::Vec;
 

@@ -1,9 +1,9 @@
 //! Solves a banded system, cyclic or not, by one elimination with partial pivoting.
 //!
 //! A cyclic band of half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order
-//! 0, n−1, 1, n−2, …. Entries in one place are added; therefore a ring may be shorter than its
-//! band. To save memory, a solver may store few rows of U at once, and eliminate again during back
-//! substitution.
+//! 0, n−1, 1, n−2, …. Entries of equal row and column are added; therefore a ring may be shorter
+//! than its band. To save memory, a solver may store few rows of U at once, and eliminate again
+//! during back substitution.
 
 use std::vec;
 use std::vec::Vec;
@@ -71,12 +71,12 @@ impl<T: Scalar> BandRow<'_, T> {
 }
 
 impl<T: Scalar> Folded<T> {
-    /// Allocates for a band of these bandwidths. `is_ring` makes the band cyclic.
+    /// Allocates the memory for a band of these bandwidths. `is_ring` makes the band cyclic.
     pub(super) fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         Self::in_stretches(len, is_ring, lower, upper, len)
     }
 
-    /// Allocates little memory. A long chain then takes about twice the work.
+    /// Allocates less memory than `new`. A long chain then takes about twice the operations.
     pub(super) fn with_little_memory(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         const WINDOWS: usize = 64;
         let window = 2 * lower.max(upper) + 1;
@@ -106,8 +106,8 @@ impl<T: Scalar> Folded<T> {
         }
     }
 
-    /// Solves the system. `write` fills a row of zeros, and may be called twice for a row. Returns
-    /// `None` if an exact scalar has no nonzero pivot.
+    /// Solves the system. `write` gets a row of zeros and fills it, possibly twice for a row.
+    /// Returns `None` if an exact scalar has no nonzero pivot.
     pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;

@@ -47,12 +47,12 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
 
     /// Prepares the map at ε, half the time step, for `sites` sites, and allocates all memory.
     ///
-    /// In a ring shorter than the stencil, a site is its own neighbour, and its couplings add up.
+    /// In a short ring, several neighbours can be one site, whose entries of A are then added.
     ///
     /// # Errors
     /// If `sites` is 0, a site parameter has another number of values, or the equations divide by
-    /// zero. Constants that overflow T are no error. Plain steps then give infinities or NaNs, and
-    /// steps with a bound are unaffected.
+    /// zero. Constants that overflow T are no error. A plain step then gives infinities or NaNs,
+    /// but [`try_step`](LatticeAt::try_step) works.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         for (index, name) in Self::SITE_PARAMETERS.iter().enumerate() {
             let given = self.site_parameter(index).len();
@@ -84,8 +84,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     #[doc(hidden)]
     fn boundary(&self) -> Boundary;
 
-    /// Returns ε, the plain parameters, and products of both, or `None` if a divisor has no
-    /// reciprocal. `convert` maps a parameter to the scalar L.
+    /// Returns ε, the parameters that are equal at all sites, and products of both. Returns `None`
+    /// if a divisor has no reciprocal. `convert` maps a parameter to the scalar L.
     #[doc(hidden)]
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>>;
 
@@ -97,8 +97,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
 
     /// Computes the field at a site, and the site's rows of A(x,ε) = I − ε f′(x).
     ///
-    /// `f[b]` is the derivative of array b. `a` has (2R + 1)·B entries for each array b, in the
-    /// order of `x` and initially zero. Entries that are identically zero are not written.
+    /// `f[b]` is the derivative of array b. For each array, `a` has one entry for each number in
+    /// `x`. The entries are initially zero, and entries that are always zero are not written.
     #[doc(hidden)]
     fn rows<L: Scalar>(
         &self,
@@ -111,7 +111,7 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     );
 
     /// Computes the equations of the next gathered site by [`rows`](Self::rows), with P parameters
-    /// per site and C constants. Must be inlined into work over lanes.
+    /// per site and C constants. The function must be inlined into a computation over lanes.
     #[doc(hidden)]
     #[inline(always)]
     fn line<L: Lanes<T>, const B: usize, const P: usize, const C: usize, const SITES: usize>(
@@ -143,8 +143,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         Self::INTEGRALS.len()
     }
 
-    /// Computes the densities of the integrals and of the Hamiltonian at a site. The arguments are
-    /// those of [`rows`](Self::rows).
+    /// Computes, at one site, the terms of the sums over all sites that give the integrals and the
+    /// Hamiltonian. The arguments are those of [`rows`](Self::rows).
     #[doc(hidden)]
     fn densities<L: Scalar>(&self, _constants: &[L], _x: &[L], _c: &[L], _registers: &mut [L], _s: &mut [L]) {
     }

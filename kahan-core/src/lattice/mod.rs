@@ -1,4 +1,4 @@
-//! Chains of any number of sites. Each site has one equation and is coupled to a few neighbours.
+//! Chains of any number of sites. The equations of a site contain the states of a few neighbours.
 //!
 //! A family `for i in periodic { … }` gives the equations of one site. A(x,ε) is banded, with
 //! corners if the chain is periodic. A short chain is eliminated at once (`folded`). A long chain

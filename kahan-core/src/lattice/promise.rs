@@ -21,9 +21,9 @@ use super::{LatticeMap, LatticeScalar};
 pub(super) const REFINEMENTS: usize = 2;
 
 pub(super) struct PromiseCheck<T: LatticeScalar> {
-    /// The equations over `T::BoundedWorking`, `None` if a divisor in the constants is too small.
+    /// The equations over the faster numbers. `None` if these cannot tell a divisor from 0.
     near: Option<BoundedRows<T::BoundedWorking>>,
-    /// The equations over `T::BoundedWide`, `None` if a divisor in the constants may be zero.
+    /// The equations over numbers of unlimited range. `None` if a divisor may be 0.
     far: Option<BoundedRows<T::BoundedWide>>,
     /// The largest magnitude among ε and the parameters.
     largest: f64,
@@ -67,7 +67,7 @@ impl<T: LatticeScalar> PromiseCheck<T> {
         }
     }
 
-    /// Returns whether the equations are defined over numbers of unlimited range.
+    /// Returns whether the constants of the equations have values over numbers of unlimited range.
     pub(super) fn has_equations(&self) -> bool {
         let has_value = |constant: &T::BoundedWide| !constant.known().1.size.is_unknown();
         self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))

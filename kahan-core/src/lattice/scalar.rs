@@ -26,14 +26,14 @@ pub trait LatticeScalar: Pivot + ChainArithmetic + Send + Sync {
     fn absolute(&self) -> Self;
 }
 
-/// The types that solve the steps of a scalar's chains and bound the errors of these steps.
+/// For each scalar of chains, the number types that solve a step and bound its error.
 pub(super) trait ChainArithmetic: Sized {
-    /// The numbers with error bounds that are tried first.
+    /// The faster numbers with error bounds, by which a residual is computed first.
     type BoundedWorking: BoundedScalar<Self>;
 
     type Parts: PartSolver<Self>;
 
-    /// The widest numbers with error bounds, which never underflow. They are tried last.
+    /// The widest numbers with error bounds, used if the faster ones fail. They never underflow.
     type BoundedWide: BoundedScalar<Self>;
 
     const UNIT: f64;

@@ -40,7 +40,8 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Gathers the neighbourhood of site i. `convert` converts states, and `given` parameters.
+    /// Gathers the neighbourhood of site i, with `convert` for the states and `given` for
+    /// parameters.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,

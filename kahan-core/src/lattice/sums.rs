@@ -138,7 +138,7 @@ impl<T: LatticeScalar> CompensatedSum<T> {
     }
 
     pub(super) fn sum(self) -> T {
-        // If the sum is infinite, its compensation would be NaN and is left out.
+        // If the sum is infinite, the compensation is left out, because it would make the sum NaN.
         if self.sum.is_finite_number() { self.sum + self.lost } else { self.sum }
     }
 }

@@ -10,8 +10,8 @@ use crate::field::linear::vector;
 use crate::scalar::DirectionalDual;
 use crate::{ExtendScalars, KahanMap, PreparedStep, Quotients, Scalar};
 
-/// Returns J·v, where J is the derivative of consecutive `stages`, maps with their ε. Returns
-/// `None` at a pole of an exact scalar.
+/// Returns J·v, where J is the derivative of all `stages` together. A stage is a map with its ε.
+/// Returns `None` at a pole of an exact scalar.
 #[inline(always)]
 pub(crate) fn push_forward<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     stages: impl Iterator<Item = (&'a M, &'a T)>,

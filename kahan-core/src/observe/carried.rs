@@ -66,7 +66,7 @@ pub(super) fn made_of<M: TangentMap>(map: &M, entry: impl Fn(usize) -> M::Scalar
     vector
 }
 
-/// Propagates vectors from `x` to `next`, in pairs that share the work on the points.
+/// Propagates vectors from `x` to `next` in pairs, for which compilers compute common terms once.
 #[inline(always)]
 pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     map: &M,
@@ -182,7 +182,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
         self.read_lengths(step);
     }
 
-    /// Propagates all trajectories in lanes if the observers share one map.
+    /// Propagates all trajectories in lanes if their observers have one map in common.
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
@@ -206,7 +206,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
     }
 }
 
-/// The number of steps between two scalings of vectors, if no step needs the lengths.
+/// The number of steps between scalings of vectors whose lengths are not needed at every step.
 ///
 /// Only a growth by 2⁶⁰ in every step could leave the range of `f64` within this many steps.
 pub const PAUSE: u64 = 16;

@@ -1,4 +1,4 @@
-//! Observers and receivers of crossings that end the run as soon as they know their answer.
+//! Observers, and receivers of crossings, that end the run as soon as their report is known.
 
 #[cfg(feature = "std")]
 use super::{CrossingReceiver, FirstCrossings, StoredCrossings};

@@ -86,7 +86,7 @@ pub(super) fn most<T: Scalar>() -> T {
     root.clone() * root
 }
 
-/// Returns whether no vector of a group needs scaling. A squared length that is NaN needs none.
+/// Returns whether no vector of a group needs scaling. A vector with a NaN needs no scaling.
 #[cfg(feature = "std")]
 pub fn are_moderate<T: FloatScalar>(squares: &[Group<T>]) -> bool {
     let most: f64 = most::<T>().approximate();

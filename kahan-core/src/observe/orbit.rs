@@ -42,7 +42,7 @@ impl<S: Step> Orbit<S> {
 
     #[inline(always)]
     fn show(&mut self, steps: u64, observers: &mut impl Observer<S::Scalar>) {
-        // A local copy, so that compilers keep the state in registers.
+        // A local copy of the state lets compilers keep it in registers.
         let mut state = self.state.clone();
         for step in 1..=steps {
             if state.step_with(&self.map, &mut self.workspace).is_none() {

@@ -82,7 +82,7 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// All values of this type.
+    /// All directions in which sign changes can be observed.
     pub const ALL: [Self; 3] = [Self::Rising, Self::Falling, Self::Both];
 
     /// Returns the name of the direction: `rising`, `falling` or `both`.
@@ -193,7 +193,7 @@ where
     T: FloatScalar,
     S: CrossingReceiver<Crossing<PointOf<M>, T>>,
 {
-    /// Creates an observer that passes each crossing with `level` = 0 by orbits of `map` to `sink`.
+    /// Creates an observer of orbits of `map`, which passes each crossing of `level` = 0 to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
         let place = M::State::zeros(map.dimension());
         Self {
@@ -209,14 +209,15 @@ where
         }
     }
 
-    /// Forgets the latest point. The caller may then skip points, as long as s keeps its sign
-    /// there.
+    /// Forgets the latest point. Callers may then skip points between which the function of the
+    /// section keeps its sign.
     #[doc(hidden)]
     pub fn restart(&mut self) {
         self.height = f64::NAN;
     }
 
-    /// Returns the crossing between the latest point and x, or `None` for a jump. `end` is s(x).
+    /// Returns the crossing between the latest point and x, or `None` for a jump. `end` is s(x),
+    /// where s is the function of the section.
     #[cold]
     #[inline(never)]
     fn crossing(&mut self, x: &[T], end: T) -> Option<Crossing<PointOf<M>, T>> {
@@ -235,7 +236,7 @@ where
         let places = narrow(ends, |part| level(at(part).as_slice()));
         let size = |place: &ZeroBracket<T>| place.height.approximate().abs();
         let [one, other] = places;
-        // The fraction 0 belongs to the previous step.
+        // The fraction 0 of a step is avoided, because that point is the end of the previous step.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
         let part = if is_one { one.part } else { other.part };
         let [point, beside] = if is_one { places } else { [other, one] }.map(|place| at(place.part));
@@ -275,7 +276,7 @@ where
         let rises = self.direction != Direction::Falling && before < 0.0 && after >= 0.0;
         let falls = self.direction != Direction::Rising && before > 0.0 && after <= 0.0;
         if rises || falls {
-            // Between steps that are not consecutive lies infinity.
+            // If steps are not consecutive, the points between them are infinite: this is a jump.
             let crossing = if step == self.step + 1 { self.crossing(x, end) } else { None };
             match crossing {
                 Some(crossing) => self.sink.take(crossing),
@@ -283,7 +284,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // Numbers after the variables may be old, because a fraction of a step ignores them.
+        // Only the point is copied, because a fraction of a step ignores the other numbers.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 
@@ -298,7 +299,7 @@ where
 }
 
 /// Returns the first crossing with `level` = 0 of the orbit from `start` within `steps` steps, if
-/// any. A start on the section and jumps of `level` do not count.
+/// any. A zero at `start` and jumps of `level` are no crossings.
 ///
 /// `map` is a prepared map, a chain, a map read at run time, or a reference to one of these. The
 /// states of a `&dyn Step` are `Vec`s. The crossing is refined as in a [`Section`].

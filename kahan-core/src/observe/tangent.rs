@@ -135,8 +135,7 @@ macro_rules! implement_for_stages {
             where
                 T: EnsembleScalar,
             {
-                // Lanes share one set of constants, and therefore all trajectories must share one
-                // map.
+                // Lanes use one set of constants; therefore all trajectories must have one map.
                 let are_one = maps.iter().all(|map| core::ptr::eq(*map, maps[0]));
                 let has_lanes = <<M as KahanMap<T, N>>::Prepared as PreparedStep<_, N>>::HAS_LANES;
                 let level = work.level;

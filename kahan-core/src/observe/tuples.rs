@@ -33,7 +33,7 @@ macro_rules! tuple {
             where
                 T: EnsembleScalar,
             {
-                // An observer that may end the run ends it for all observers at one point.
+                // If an observer can end the run, points are shown to all observers in turn.
                 if <Self as Observer<T>>::MAY_END {
                     show_in_turn(_group, _burst);
                     return;

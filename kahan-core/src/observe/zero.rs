@@ -23,7 +23,7 @@ const fn digits<T: FloatScalar>() -> u32 {
     3 * T::SHORT_BITS
 }
 
-/// Returns whether both values are small, relative to the finite values at the ends.
+/// Returns whether the function is small at both places, relative to its finite values at the ends.
 pub(super) fn is_zero<T: FloatScalar>(places: [ZeroBracket<T>; 2], ends: [T; 2]) -> bool {
     let sizes = ends.map(|height| height.approximate().abs()).into_iter().filter(|size| size.is_finite());
     let most = small::<T>() * sizes.fold(0.0, f64::max);

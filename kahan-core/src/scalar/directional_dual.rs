@@ -21,7 +21,7 @@ impl<T: Scalar> DirectionalDual<T> {
         Self { value, slope: None }
     }
 
-    /// Creates a number whose parts are not packed, because shuffles would cost more.
+    /// Creates a number whose parts stay in separate registers, because packing costs more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }
@@ -33,7 +33,7 @@ impl<T: Scalar> DirectionalDual<T> {
     }
 }
 
-/// Combines the derivatives of two operands, of which constants have none.
+/// Combines the derivatives of two operands. The derivative of a constant is `None`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<T: Scalar>(
     slopes: [Option<T>; 2],

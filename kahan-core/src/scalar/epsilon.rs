@@ -6,9 +6,9 @@ use crate::FloatScalar;
 /// for `f64`, 35 for `Dd`. Square and cube of the result are exact.
 ///
 /// A step may use ε, ε² and ε³, each computed once and rounded. If the rounded ε² is not the square
-/// of the rounded ε, the step belongs to no ε. The error is equal in every step. Therefore
-/// integrals drift in proportion to the number of steps, even in compensated orbits. Exact powers
-/// avoid this drift.
+/// of the rounded ε, the step is not Kahan's step for any ε. This error is equal in every step.
+/// Therefore integrals drift in proportion to the number of steps, even in compensated orbits.
+/// Exact powers avoid this drift.
 ///
 /// The drift matters after about 10⁷ steps in `f64`, or 10⁵ steps in `f32`, if the step multiplies
 /// parameters by powers of ε. The integrals of the Euler top drift at ε = 0.05, but not at ε =

@@ -25,7 +25,8 @@ macro_rules! implement_for_float {
 
             /// Rounds ties away from zero, but never to infinity.
             fn nearest_short(self) -> Self {
-                // Adjacent bit patterns are adjacent numbers.
+                // Rounding the bits rounds the number, because adjacent patterns are adjacent
+                // numbers.
                 let dropped = <$float>::MANTISSA_DIGITS - Self::SHORT_BITS;
                 let (unit, half) = (1 << dropped, 1 << (dropped - 1));
                 let cut = |bits| <$float>::from_bits(bits & !(unit - 1));

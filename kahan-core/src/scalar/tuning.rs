@@ -1,5 +1,5 @@
-//! Tuning for compilers and processors, without effect on results: division of steps by ε, and
-//! protection against auto-vectorisation.
+//! Tuning for compilers and processors: whether a step divides by ε, and how numbers are protected
+//! against auto-vectorisation.
 
 use core::any::{Any, TypeId};
 
@@ -10,8 +10,8 @@ use super::bounded::{Bounded, PackedDouble, PackedSingle};
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// Steps in `f64` with error bounds may divide by ε if |ε| is from 2⁻⁶⁴ to 2⁶⁴.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
-/// Plain `f64` steps may divide by ε if |ε| is from 2⁻⁸⁴ to 2⁶⁴. Fractions of a step and stages of
-/// a composition then use the form of the whole step.
+/// Plain `f64` steps may divide by ε if |ε| is from 2⁻⁸⁴ to 2⁶⁴. The lower limit is small, so that
+/// a fraction of a step usually has the form of the whole step.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 #[inline(always)]
@@ -49,13 +49,13 @@ fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     }
 }
 
-/// Returns whether steps over T are divided by ε if a form for division exists.
+/// Returns whether steps over T use the form that divides by ε, if there is one.
 #[inline(always)]
 pub(crate) fn divides_by_eps<T: 'static>() -> bool {
     bits_of_steps::<T>().is_some()
 }
 
-/// Returns whether a step at this ε may be divided by ε.
+/// Returns whether a step at this ε may use the form that divides by ε.
 #[inline(always)]
 pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     bits_of_steps::<T>().is_some_and(|bits| {

@@ -138,7 +138,7 @@ pub trait Step {
         workspace: &mut Workspace,
     ) -> Result<(), Stopped>;
 
-    /// Returns the state at a point. Numbers beside the point are 0.
+    /// Returns the state at a point. Numbers after the point are 0.
     ///
     /// # Panics
     /// If `point` is longer than a state.

@@ -1,10 +1,10 @@
 //! The cost of a step.
 
-/// The cost of a step, counted in its program.
+/// The cost of a step, in numbers of operations and in cycles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
-    /// The number of additions, subtractions, multiplications and divisions. A multiply-add counts
-    /// twice.
+    /// The number of additions, subtractions, multiplications and divisions. A multiply-add is
+    /// counted twice.
     pub operations: u32,
     /// The number of divisions, which `operations` also counts.
     pub divisions: u32,

@@ -85,7 +85,7 @@ impl SingularStep {
         self.determinant
     }
 
-    /// Returns the smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that any precision reached.
+    /// Returns the smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that any precision level reached.
     ///
     /// The bound is infinite at a pole, and if no bound was computed. In more than eight variables,
     /// the bound of the backward error is returned.

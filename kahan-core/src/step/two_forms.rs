@@ -7,14 +7,14 @@ use crate::scalar::tuning;
 
 use super::{PreparedStep, Quotients, StepCost, StraightStep};
 
-/// A step with two forms. One is divided by ε and serves floats at an ordinary ε; the other is
-/// general.
+/// A step with two forms. One form divides by ε, for floats and an ε that is neither tiny nor huge;
+/// the other form is general.
 ///
 /// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, which saves a multiplication. The
-/// divided form overflows sooner, and cannot run in lanes.
+/// form that divides overflows sooner, and cannot run in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {
-    /// The divided form, `None` if ε or the scalar does not allow this form.
+    /// The form that divides by ε, `None` if ε or the scalar does not allow it.
     over_eps: Option<S>,
     general: G,
 }
@@ -24,8 +24,8 @@ pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
     OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOverEps<S, G, T, C, D> {
-    /// Creates the step at `eps`. `over_eps` is called only if ε and the scalar allow the divided
-    /// form.
+    /// Creates the step at `eps`. `over_eps` is called only if ε and the scalar allow the form that
+    /// divides by ε.
     #[inline(always)]
     pub fn new(eps: &T, over_eps: impl FnOnce() -> [T; C], general: impl FnOnce() -> [T; D]) -> Self {
         let general = StraightStep::new(general());
@@ -78,8 +78,8 @@ where
     }
 }
 
-/// Evaluates the general form if a scalar usually takes the divided form. A call with copies lets a
-/// loop keep its state in registers.
+/// Evaluates the general form for scalars that usually use the form that divides by ε. A call with
+/// copies lets a loop keep its state in registers.
 #[cold]
 #[inline(never)]
 fn called<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>

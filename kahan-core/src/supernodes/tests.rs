@@ -5,8 +5,7 @@ use std::vec;
 use super::*;
 use crate::field::couplings::CouplingRow;
 
-/// The tables of an elimination in the order of the variables, for given pairs of coupled
-/// variables.
+/// The tables of an elimination in the order of the variables, for given positions of entries.
 struct Pattern {
     order: Vec<u32>,
     rows: Vec<CouplingRow>,
@@ -94,8 +93,8 @@ fn lattice(side: usize) -> Pattern {
     Pattern::of(side * side, |i, j| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1)
 }
 
-/// Solves a test system in which variable i is measured in units of `units(i)`. Returns the
-/// smallest nonzero entry of the factors, and the solution without the units.
+/// Solves a test system whose variable i is multiplied by `units(i)`. Returns the smallest nonzero
+/// entry of the factors, and the solution divided by `units`.
 fn solved(pattern: &Pattern, eps: f64, units: impl Fn(usize) -> f64, flushes: bool) -> (f64, Vec<f64>) {
     let n = pattern.order.len();
     let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };
@@ -124,7 +123,7 @@ fn negligible_factors_are_zero_and_solutions_keep_their_bits() {
     assert_eq!(flushed, exact);
 }
 
-/// The units of the variables are powers of 2, which change no digit.
+/// The variables are multiplied by powers of 2, which change no digit.
 #[test]
 fn solutions_are_independent_of_extreme_units() {
     let (pattern, eps) = (lattice(24), 1e-3);

@@ -1,4 +1,4 @@
-//! Test systems: most have a closed form by the macro, and one is written by hand.
+//! Test systems. For most the macro makes a closed form, and one map is written by hand.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -96,7 +96,7 @@ fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// A step without lanes runs as plain code on every instruction set.
+/// Compares ensembles on every instruction set with single steps, for a step without lanes.
 fn every_level_computes_as<T: EnsembleScalar, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     start: &[SVector<T, N>],

@@ -21,7 +21,7 @@ fn all<'a>(
     (variables, Lyapunov::new(map), indicators)
 }
 
-/// Returns the debug text, because orbits that escape give NaNs.
+/// Returns the debug text, in which the NaNs of escaping orbits are equal.
 fn text(report: impl std::fmt::Debug) -> String {
     format!("{report:?}")
 }
@@ -64,7 +64,6 @@ fn neither_place_nor_number_of_trajectories_matters() {
         Ensemble::new(points)
             .observe(&map, steps, |i| (Fli::new(&map), Extrema::of(move |_: &[f64]| i as f64)))
     };
-    // Enough points for several threads.
     let many = observe(points(3000), 50);
     for (i, (fli, index)) in many.iter().enumerate() {
         assert_eq!(index.unwrap().least, i as f64);

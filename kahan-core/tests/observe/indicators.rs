@@ -35,7 +35,7 @@ fn indicators_are_their_definitions() {
     let [start, _] = starts();
     let steps = 500;
     let (fli, megno) = map.orbit(start).observe(steps, (Fli::new(&map), Megno::new(&map)));
-    // The initial direction that the observers use.
+    // This is the initial direction that the observers use.
     let mut v = SVector::<f64, 4>::from_fn(|i, _| ((37 * i + 11) % 64 + 1) as f64 / 64.0);
     v /= v.norm();
     let (mut greatest, mut weighted, mut sum, mut y) = (0.0_f64, 0.0, 0.0, 0.0);

@@ -57,7 +57,7 @@ fn sign_changes<S: Step<Scalar = T>, T: FloatScalar>(
     [count(|before, after| before < 0.0 && after >= 0.0), count(|before, after| before > 0.0 && after <= 0.0)]
 }
 
-/// Checks that all sign changes in one direction are crossings, in the other direction jumps.
+/// Checks that all sign changes in one direction are crossings, and in the other are jumps.
 fn falls_through_infinity<S: Step<Scalar = T>, T: FloatScalar>(map: &S, start: S::State, is_mirrored: bool) {
     let [rising, falling] = sign_changes(map, start.clone(), 200, |x| x[0]);
     assert!(rising > 5 && falling > 5);
@@ -128,7 +128,7 @@ fn poles_steps_and_holes_of_a_function_are_jumps() {
     }
 }
 
-/// A limit of 0 counts as a zero, although the function is undefined there.
+/// A crossing is found where the function is undefined but has the limit 0.
 #[test]
 fn a_function_without_a_value_at_its_zero_crosses_there() {
     let found =
@@ -257,7 +257,7 @@ fn projective_orbits_jump_at_infinity() {
         let found = Tangent.orbit(vector![0.1, 0.0], 0.05).projective().observe(299, section(direction));
         assert_eq!((found.points.all, found.jumps), expected);
     }
-    // The neighbours of a point at infinity are not consecutive.
+    // The steps before and after infinity are not consecutive; therefore the sign change is a jump.
     let map = Burst.at(0.25);
     let both = Section::new(&map, |x: &[f64]| x[0], Direction::Both, FirstCrossings::new(9));
     let found = Burst.orbit(vector![1.0], 0.25).projective().observe(4, both);

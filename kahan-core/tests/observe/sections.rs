@@ -41,7 +41,7 @@ fn crossings_are_those_of_a_plain_loop() {
             let beyond = HenonHeiles.step(before, middle * eps)[0].signum() != sign;
             if beyond { right = middle } else { left = middle }
         }
-        // Within the step x changes by at least 10⁻³, and rounding by about 10⁻¹⁷.
+        // Within the step x changes by at least 10⁻³, and rounding changes x by about 10⁻¹⁷.
         assert!((part - right).abs() < 1e-12, "{part} {right}");
         assert_eq!(point, HenonHeiles.step(before, part * eps));
         assert_eq!(time, 2.0 * eps * (step as f64 + part));
@@ -49,8 +49,8 @@ fn crossings_are_those_of_a_plain_loop() {
     }
 }
 
-/// Along the orbit the flow's energy has an error O(ε²). The spread over the crossings at ε and at
-/// ε/4 measures the order.
+/// Along the orbit the flow's energy has an error O(ε²). The test compares the errors at the
+/// crossings for ε and for ε/4.
 #[test]
 fn energy_on_the_section_has_the_order_of_the_map() {
     let energy = |x: [f64; 4]| {

@@ -1,4 +1,4 @@
-//! Tests the answers and the output of the program that chooses a setting.
+//! Tests the chosen settings and their printed form.
 
 use kahan_core::Composition;
 use kahan_core::prelude::*;

@@ -1,4 +1,4 @@
-//! Compares the chosen setting with a reference, and with all cheaper settings.
+//! Compares the chosen setting with a reference trajectory, and with all cheaper settings.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, ExtendScalars, PreparedStep};

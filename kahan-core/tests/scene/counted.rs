@@ -64,7 +64,7 @@ impl<T: Scalar, M: ExtendScalars<T, N>, const N: usize> ExtendScalars<T, N> for 
     }
 }
 
-/// Chooses a setting and returns the cost. A bilinear form counts as a third of a step.
+/// Chooses a setting and returns the cost. A bilinear form costs a third of a step.
 fn work<M, const N: usize>(
     map: M,
     x0: [f64; N],

@@ -1,4 +1,4 @@
-//! Tests the library's choice of a setting.
+//! Tests how the library chooses a setting: composition, precision and number of steps.
 //!
 //! Costs are counted by a model and not by a clock, so that every run gives equal numbers.
 

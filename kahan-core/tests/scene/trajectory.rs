@@ -18,7 +18,7 @@ pub(crate) struct Trajectory<M: ExtendScalars<f64, N>, const N: usize> {
 const HIGHEST: Composition = Composition::KAHAN_LI_8;
 
 impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
-    /// Creates a trajectory that ends beyond the horizon, because steps of a rounded ε do.
+    /// Creates a trajectory that ends beyond the horizon, because orbits with a rounded ε also do.
     pub(crate) fn new(map: &M, x0: &SVector<f64, N>, horizon: f64, steps: usize) -> Self {
         let map = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
         let dt = horizon / steps as f64;
@@ -50,8 +50,8 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
         if distance.is_nan() { f64::INFINITY } else { distance }
     }
 
-    /// Returns the largest relative distance of a setting's orbit, at its end and at about
-    /// `samples` points. The first distance above `enough` is returned at once.
+    /// Returns the largest relative distance between a setting's orbit and this trajectory, at the
+    /// end and at about `samples` points. The first distance above `enough` is returned at once.
     pub(crate) fn error(
         &self,
         setting: &Setting,

@@ -1,7 +1,7 @@
 //! Scalars over x86-64 vector registers, in which each operation is one instruction on all lanes.
 //!
-//! AVX2 and AVX-512 fuse multiply-adds. SSE2 fuses only if scalar code of the build does. `==`
-//! compares all lanes together.
+//! AVX2 and AVX-512 fuse multiply-adds. SSE2 fuses them only in programs compiled for fused
+//! multiply-adds. The operator `==` returns whether all lanes are equal.
 #![allow(
     unused_unsafe,
     reason = "where the whole program is compiled for the instructions, calling them is safe"
@@ -30,7 +30,7 @@ macro_rules! machine {
     };
 }
 
-/// Defines a lane type over an AVX-512 register. The quotient is a division or an estimate.
+/// Defines a lane type over an AVX-512 register, whose division is an instruction or an estimate.
 macro_rules! lanes_of_avx512 {
     ($name:ident(__m512d), quotient $quotient:path) => {
         lanes! {

@@ -31,7 +31,7 @@ fn numbers_fill_all_lanes() {
 
 macro_rules! estimates_are_near_quotients {
     ($name:ident, $lanes:ty, $float:ty, $operands:ident, $share:literal) => {
-        /// The operands have every exponent whose reciprocal is finite.
+        /// The operands are random, and have all exponents for which 1/x is finite.
         #[test]
         #[cfg_attr(miri, ignore = "Miri knows no estimate")]
         fn $name() {

@@ -49,7 +49,7 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let FirstPass { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The columns belong to the last `LOWER` unknowns of the interior, the s unknowns of the
+        // The columns stand for the last `LOWER` unknowns of the interior, the s unknowns of the
         // right separator, the s unknowns of the left separator, and the right-hand side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
@@ -152,8 +152,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The final dense system of the first pass, followed by the largest multipliers. Only the first
-/// rows may become pivot rows.
+/// The dense linear system that remains after the first pass, followed by the largest multiplier of
+/// each lane. Only the first `first` columns are eliminated.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

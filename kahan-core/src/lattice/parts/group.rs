@@ -1,7 +1,7 @@
 //! The parts of a group, gathered from the state into SIMD lanes and scattered back.
 //!
-//! The sites of each part are stored in order, one register per array, with the separator and R
-//! more sites on either side.
+//! The sites of each part are stored in order, one register per array. The stored sites include the
+//! separator, and R more sites on either side, where R is the family's reach.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
@@ -19,8 +19,8 @@ pub(super) struct PartGroup {
 }
 
 impl PartGroup {
-    /// Gathers the states and parameters from R sites before the left separator to R sites after
-    /// the right separator.
+    /// Gathers states and parameters, from R sites before the left separator to R sites after the
+    /// right separator. R is the family's reach.
     pub(super) fn gather<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
         self,
         map: &M,
@@ -54,8 +54,8 @@ impl PartGroup {
         }
     }
 
-    /// Gathers the numbers of the R sites before each part and of the 2R sites after it. A site has
-    /// `block` numbers, and sites are `stride` registers apart.
+    /// Gathers the numbers of the R sites before each part and of the 2R sites after it, where R is
+    /// the family's reach. A site has `block` numbers, and sites are `stride` registers apart.
     fn gather_edges<M, T>(
         self,
         map: &M,
@@ -82,8 +82,8 @@ impl PartGroup {
         }
     }
 
-    /// Gathers the first `sites` sites of each part, in registers that are `stride` apart per site.
-    /// `chain` starts with the first part.
+    /// Gathers the first `sites` sites of each part. Adjacent sites are `stride` registers apart.
+    /// `chain` begins with the first part.
     pub(super) fn gather_inner<T: InLanes>(
         self,
         chain: &[T],

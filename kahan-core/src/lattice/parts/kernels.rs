@@ -88,7 +88,7 @@ impl<
     }
 }
 
-/// Splits the parts of groups into batches of `width` parts, with the index of the first part.
+/// Yields batches of `width` parts of these groups, each with the index of its first part.
 #[inline(always)]
 pub(super) fn batches(
     partition: &Partition,

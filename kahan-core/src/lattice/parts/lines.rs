@@ -1,4 +1,4 @@
-//! The equations of sites in SIMD lanes, and the matrix rows that kernels make of the equations.
+//! The equations of sites in SIMD lanes, and the rows of A in the layout of the kernels.
 
 use core::array::from_fn;
 use core::ops::Range;
@@ -10,7 +10,7 @@ use crate::lattice::Stencil;
 
 use super::window::WindowRow;
 
-/// The values of the equations at one site.
+/// The field and the rows of A at one site.
 #[derive(Clone, Copy, Debug)]
 pub struct SiteLine<L, const B: usize, const SITES: usize> {
     /// The field at the site, one number per array.
@@ -66,7 +66,7 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// Returns a row of a site that is not coupled to the left separator.
+    /// Returns a row of a site that has no entries in the columns of the left separator.
     #[inline(always)]
     pub(super) fn row<L: Scalar + Copy>(line: &SiteLine<L, B, SITES>, b: usize) -> WindowRow<L, B, R, WIDTH> {
         let mut row = WindowRow::zero();
@@ -90,7 +90,8 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // Rows of the identity must not eliminate entries of the separator.
+                // In the band, the window's first rows, which are rows of the identity, would
+                // eliminate these entries.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();
@@ -100,7 +101,7 @@ impl<
         row
     }
 
-    /// Returns a row of site r of the left separator, without the entries of the previous part.
+    /// Returns a row of site r of the left separator, without the columns of the previous part.
     #[inline(always)]
     pub(super) fn row_of_left<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,

@@ -32,7 +32,6 @@ impl Partition {
         about: usize,
         least: usize,
     ) -> Option<Self> {
-        // In shorter parts, the neighbours of a separator would lie beyond the part.
         let least = least.max(3 * reach);
         let covered = sites.checked_sub(reach)?;
         let groups = (covered / (lanes * about)).max(1);

@@ -1,4 +1,4 @@
-//! The memory in which a thread computes one group.
+//! The memory in which a thread computes one group of parts of a chain.
 
 use crate::Scalar;
 use crate::ensemble::Level;
@@ -9,13 +9,13 @@ use super::partition::Partition;
 
 pub(in crate::lattice) struct Scratch<T> {
     pub(super) level: Level,
-    /// The states, from R sites before the left separator to R sites after the right separator.
+    /// The states, with `reach` more sites before the left and after the right separator.
     pub(super) x: Buffer<T>,
     pub(super) c: Buffer<T>,
     pub(super) registers: Buffer<T>,
-    /// The final dense system of the first pass, and its largest multiplier.
+    /// The dense linear system that remains after the first pass, and its largest multiplier.
     pub(super) dense: Buffer<T>,
-    /// The finished rows with their right-hand sides, after rows of the identity.
+    /// The rows of U with their right-hand sides. The first rows are those of the identity.
     pub(super) done: Buffer<T>,
     /// The solution at the separators to the left and to the right of the part.
     pub(super) known: Buffer<T>,

@@ -62,7 +62,7 @@ impl<
             for lane in 0..L::WIDTH {
                 let separators = (part + lane) * s;
                 for k in 0..s {
-                    // The separator to the right may belong to another thread.
+                    // The right separator may lie in another thread's states; `kept` has a copy.
                     x[(parts.length * B + s + k) * L::WIDTH + lane] = kept[separators + s + k];
                 }
                 for k in 0..2 * s {
@@ -100,7 +100,7 @@ impl<
                 sweep.take(WindowRow::zero());
             }
 
-            // The solution to the right of the current unknown, at first in the right separator.
+            // The solution at the unknowns to the right, at first those of the right separator.
             let mut after = [L::zero(); WIDTH];
             for k in 0..WIDTH {
                 if k < s {

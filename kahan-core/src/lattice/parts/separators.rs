@@ -9,10 +9,10 @@ use crate::{Constant, Scalar};
 
 use super::partition::Partition;
 
-/// The largest ratio of a separator's entry to its pivot, which costs three of sixteen digits.
+/// The largest allowed ratio of a separator's entry to its pivot. It costs three decimal digits.
 const GROWTH: i64 = 1 << 10;
 
-/// Returns the number of numbers stored per part, for a separator of this many unknowns.
+/// Returns the number of numbers stored for a part whose separator has this many unknowns.
 pub(super) fn size(separator: usize) -> usize {
     2 * separator * (2 * separator + 1) + 1
 }
@@ -45,7 +45,7 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
         if before < partition.parts() {
             add(row, joint(before), separator + k, before + 1, separator);
         }
-        // Adds couplings among the remaining sites, and to the first separator.
+        // Adds the entries of A between remaining sites, and between these and the first separator.
         let add_direct = |row: &mut BandRow<'_, T>, site: &Site<T>, b, columns: Range<usize>, to: usize| {
             for (column, entry) in site.entries(map, sites, b) {
                 if columns.contains(&column) {
@@ -68,7 +68,8 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
     gained.iter().all(T::is_finite_number).then_some(gained)
 }
 
-/// Adds row k of a part's contribution. `right` is the index of the separator to the part's right.
+/// Adds row k of `joint`, the result for a part. `right` is the index of the part's right
+/// separator.
 fn add<T: Scalar>(row: &mut BandRow<'_, T>, joint: &[T], k: usize, right: usize, separator: usize) {
     let columns = 2 * separator + 1;
     let entries = &joint[k * columns..][..columns];

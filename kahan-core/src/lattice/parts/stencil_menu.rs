@@ -1,4 +1,4 @@
-//! The kernels of families read at run time. Missing entries of a stencil become zeros.
+//! The kernels of families read at run time, for stencils that may be larger than the family's.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
@@ -12,11 +12,11 @@ use super::second_pass::SecondPass;
 #[derive(Clone, Copy, Debug)]
 pub enum StencilMenu {}
 
-/// Declares stencils by the arrays, reach, bandwidths, sites, and entries per row.
+/// Declares stencils, each by its numbers of arrays, reach, bandwidths, sites, and entries per row.
 macro_rules! menu {
     ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
         impl StencilMenu {
-            /// Returns the sizes with the bandwidths of the first sufficient stencil, or unchanged.
+            /// Returns `sizes`, with the bandwidths of the first sufficient stencil if one exists.
             pub fn widened(sizes: Sizes) -> Sizes {
                 let Sizes { block, reach, lower, upper, .. } = sizes;
                 $(if (block, reach) == ($block, $reach) && lower <= $lower && upper <= $upper {

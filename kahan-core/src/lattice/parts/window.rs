@@ -95,7 +95,7 @@ pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
     Window<L, B, R, LOWER, WIDTH>
 {
-    /// Returns a window of identity rows, for columns before the first.
+    /// Returns a window of rows of the identity, which stand for unknowns before the first unknown.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let mut rows = [WindowRow::zero(); LOWER];

@@ -23,7 +23,7 @@ fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DM
             moved[j] += by;
             DVector::from_vec(at.field(&moved))
         };
-        // A power of two near the size of the state keeps cancellation small.
+        // The length of e, a power of two near the size of the state, keeps cancellation small.
         let by = x.iter().fold(1.0, |largest: f64, x| largest.max(x.abs())).log2().floor().exp2();
         let mut column = a.column_mut(j);
         column -= (field(by) - field(-by)) * (eps / (by + by));

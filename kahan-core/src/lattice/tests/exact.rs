@@ -55,7 +55,6 @@ fn tangled<const OPEN: bool>(_sites: usize) -> Tangled<Q, OPEN> {
 fn steps_satisfy_kahans_equation_at_every_length() {
     satisfies_kahans_equation(1, 12, |_| Toda::<true>);
     satisfies_kahans_equation(2, 12, |_| Toda::<false>);
-    // Shorter chains have f = 0.
     satisfies_kahans_equation(2, 12, |_| Volterra::<true>);
     satisfies_kahans_equation(3, 12, |_| Volterra::<false>);
     satisfies_kahans_equation(2, 12, kdv::<true>);

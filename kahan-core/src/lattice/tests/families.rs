@@ -135,7 +135,7 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
     }
 }
 
-/// A field with three arrays, offsets up to five, and eight products per derivative.
+/// A field with three arrays, neighbours up to five sites away, and eight products per derivative.
 #[derive(Clone, Debug)]
 pub(super) struct Tangled<T, const OPEN: bool>(pub(super) [T; 8]);
 

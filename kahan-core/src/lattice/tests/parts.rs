@@ -105,7 +105,7 @@ fn a_singular_part_sends_the_step_to_the_whole() {
         let mut at = in_short_parts(Volterra::<false>, eps, sites, Level::best());
         at.step(&mut x);
         sent += at.whole_eliminations();
-        // Entries of A are at most 2, and at most 2¹⁰ times the pivot of their column.
+        // The bound is 2·2¹⁰: entries of A are at most 2, and factors at most 2¹⁰.
         assert!(at.residual(&start, &x) < 2048.0 * f64::EPSILON, "site {i}");
         let mut tried = start.clone();
         assert_eq!(at.try_step(&mut tried), Ok(()));

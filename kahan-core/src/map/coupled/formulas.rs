@@ -1,7 +1,7 @@
 //! Formulas as tables in postfix notation, evaluated by one loop.
 //!
-//! A table takes less code than straight-line operations. Therefore large fields use tables over
-//! bounded numbers. The macro orders the operands so that the stack stays short.
+//! A table takes less code than straight-line operations. Therefore a step with error bounds
+//! evaluates f and f′ from tables. The macro orders the operands so that the stack stays short.
 
 use core::array::from_fn;
 

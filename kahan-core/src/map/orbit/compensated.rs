@@ -15,7 +15,7 @@ use super::Orbit;
     note = "prepared maps of `kahan!` do, compositions of them, and maps that are read at run time; chains do not"
 )]
 pub trait Increments: Step {
-    /// A state with its carry: a point and its rounding error, 2N numbers.
+    /// A point followed by its rounding error.
     type Carried: StateVector<Self::Scalar>;
 
     /// Returns the compensated map; see [`Orbit::compensated`](crate::Orbit::compensated).

@@ -11,8 +11,8 @@ use crate::{Constant, FloatScalar, PointOf, Scalar, StateVector, Step};
 use super::Orbit;
 
 impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
-    /// Yields the states at these times. Time 0 belongs to the next point, and a step takes the
-    /// time 2ε.
+    /// Yields the states at these times. The next point has the time 0, and a step takes the time
+    /// 2ε.
     ///
     /// Between two points, the map with a fraction of ε computes the state from the earlier point.
     /// The state is not on the orbit, and its distance from the flow is O(ε³). Times should
@@ -50,8 +50,8 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         })
     }
 
-    /// Yields the points of this orbit before the time `end`, with their times 0, 2ε, 4ε, …. Time 0
-    /// belongs to the next point. The last item is the state at `end`, computed by [a
+    /// Yields the points of this orbit before the time `end`, with their times 0, 2ε, 4ε, …. The
+    /// next point has the time 0. The last item is the state at `end`, computed by [a
     /// part](Self::at_times) of a step.
     ///
     /// ```
@@ -79,7 +79,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
                 made += 1;
                 return Some((time, x));
             }
-            // An `end` at or before the first point still requires this point.
+            // If `end` is not after the first point, this point must be computed first.
             if is_at_end || (last == 0 && self.next().is_none()) {
                 return None;
             }

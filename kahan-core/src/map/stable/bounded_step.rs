@@ -11,7 +11,7 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, BoundedPair, InputLimit, Magnitude, Number, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
-/// A next state with a bound on the error of every component, without the last roundings.
+/// A next state with an error bound for every component. The bound excludes the last roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundedStep<V: Number, const N: usize> {
     pub(super) next: [V; N],
@@ -22,8 +22,8 @@ pub(super) struct BoundedStep<V: Number, const N: usize> {
 
 impl<V: Number, const N: usize> BoundedStep<V, N> {
     /// Computes the step over numbers with error bounds. The values equal the fast step bit for
-    /// bit. Returns `None` if a denominator may be zero, or if an input exceeds the limit for
-    /// underflow.
+    /// bit. Returns `None` if a denominator may be zero, or if an input is so large that the bound
+    /// does not cover underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: BoundedPair<V>, M: ExtendScalars<T, N>>(
         map: &M,
@@ -60,8 +60,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment without a reciprocal counts as a product with 1. The loop avoids closures,
-        // because compilers would not inline them.
+        // An increment without a reciprocal is treated as a product with 1. The loop avoids
+        // closures, because compilers would not inline them.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {

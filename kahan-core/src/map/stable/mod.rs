@@ -36,8 +36,8 @@ pub(crate) use scalars::PromiseScalar;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
 
-/// Steps with the error bound 64 u over floats of this crate. Other scalars get a finite result
-/// without a bound.
+/// Takes a step with the error bound 64 u over floats of this crate (u is the rounding unit). Other
+/// scalars get a finite result without a bound.
 ///
 /// Floats ignore `prepared`, because its numbers are rounded without a bound. In a loop compilers
 /// move the preparation over bounded numbers out of the loop.
@@ -74,8 +74,8 @@ fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: u
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::from_input(*eps)) {
-        // Bounded numbers have narrower limits than floats. If both limits were tested, compilers
-        // would keep the code of both forms in every step.
+        // The limits on ε are narrower for numbers with error bounds. If a step tested both limits,
+        // compilers would keep the code of both forms in every step.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)

@@ -27,8 +27,8 @@ use super::scalars::PromiseScalar;
 /// difference between ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// The number of operations up to which values and magnitudes are computed separately. In short
-/// steps packing would delay the values.
+/// Up to this number of operations, values and magnitudes are computed separately. In short steps,
+/// packing both into one register would delay the values.
 const SHORT: u32 = 36;
 
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -50,7 +50,7 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: PromiseScalar, const N
     }
 }
 
-/// Runs precision level 1 in the general form, for an ε by which the step must not be divided.
+/// Runs precision level 1 in the general form, for an ε by which the step must not divide.
 #[cold]
 #[inline(never)]
 pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
@@ -132,7 +132,8 @@ pub(super) fn in_wide<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
 }
 
 /// Runs precision level 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to
-/// `next`. The terms of expanded formulas may differ by more digits than the numbers have.
+/// `next`. Terms in the expanded formulas of other levels may differ by more digits than the
+/// numbers have.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(

@@ -19,7 +19,7 @@
 //!   is `None`. If 1/|â| is known, as in 2/d or 2/d/d′, m is computed as |v̂|·(mₐ/|â| + m_b/|b̂|).
 //!   The sum in parentheses is stored for the next quotient.
 //!
-//! Wide numbers carry an error radius, from which m and k follow.
+//! Wide numbers have an error radius, from which m and k follow.
 //!
 //! # Slack
 //! Magnitudes are rounded at most k times, and errors are computed as k·u·m instead of γₖ·m. The
@@ -51,9 +51,9 @@
 //! 2ᴮ. Then these errors grow to at most w·2ᴮ·η, where w counts operations that may underflow. A
 //! sum takes the larger w of its terms, and its bit of B covers the other term. A product or
 //! quotient adds 1 to the w of both operands. Every error includes the [allowance](number::Range).
-//! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. Quotients count as if
-//! every divisor were the smallest allowed divisor, and errors are divided by it twice. Dividing a
-//! constant by ε multiplies it by at most 2 to the power [`bits_of_steps`](number::Range).
+//! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. In quotients, every
+//! divisor is assumed to be the smallest allowed one, and errors are divided by it twice. Dividing
+//! a constant by ε multiplies it by at most 2 to the power [`bits_of_steps`](number::Range).
 //!
 //! The caller compares the inputs with the limit [`Bounded::largest_input`], which is known at
 //! compile time. The limit allows no input if operations and constants violate a premise, for
@@ -101,7 +101,7 @@ pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     bits: u32,
     /// An approximation of 1/|value|, for a quotient whose numerator is an integer constant.
     inverse: Option<V::Magnitude>,
-    /// An approximation of magnitude/|value| without the slack.
+    /// An approximation of magnitude/|value| without the factor `SLACK`.
     ratio: Option<V::Magnitude>,
 }
 
@@ -116,7 +116,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Self { inputs: 1, ..Self::of(BoundedPair::new(value, value.size())) }
     }
 
-    /// Creates a literal. A literal that is rounded may underflow.
+    /// Creates a literal. Each of its roundings may have been an underflow, and is counted as one.
     #[inline(always)]
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
@@ -164,7 +164,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         self.inputs == 0
     }
 
-    /// Returns whether this is an unchanged input by which steps may be divided.
+    /// Returns whether this is an unchanged input by which steps may divide.
     #[inline(always)]
     pub(crate) fn is_ordinary_input(&self) -> bool {
         let is_input = self.inputs == 1 && self.roundings == 0 && self.bits == 0;

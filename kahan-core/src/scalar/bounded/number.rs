@@ -53,7 +53,7 @@ const POWER_OF_UNDERFLOWS: i32 = 10;
 pub(crate) const MOST_UNDERFLOWS: u32 = 1 << POWER_OF_UNDERFLOWS;
 
 impl Range {
-    /// The range of a format that never underflows. Steps are not divided by ε.
+    /// The range of a format that never underflows. Steps do not divide by ε.
     pub(crate) const UNLIMITED: Self =
         Self { allowance: 0.0, bits_of_products: u32::MAX, bits_of_divisors: 0, bits_of_steps: 0 };
 
@@ -85,7 +85,7 @@ pub(crate) trait Number: Scalar + Copy {
 
     /// Returns |self|, rounded to a magnitude.
     fn size(&self) -> Self::Magnitude;
-    /// Returns the error radius of numbers that carry one.
+    /// Returns the error radius, or `None` if the type of number stores none.
     #[inline(always)]
     fn radius(&self) -> Option<Self::Magnitude> {
         None

@@ -13,7 +13,7 @@ const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 /// An upper bound on the digits of sums of two `f64`: 309 before the point, and 1075 after it.
 const CAPACITY: usize = 1444;
 
-/// An upper bound on the zeros after the point, because `f64` reaches down to 10⁻³²⁴.
+/// An upper bound on the zeros between the point and the first digit of a number.
 const LEADING_ZEROS: usize = 342;
 
 /// The number 0.d₁d₂…·10^exponent with digits dᵢ. The first and the last digit are not 0.
@@ -158,7 +158,7 @@ impl Decimal {
     }
 }
 
-/// Writes the chunks of an integer, least significant first, and returns the number of chunks.
+/// Writes an integer as chunks of 19 decimal digits, lowest first, and returns their number.
 fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
     let mut limbs = [0; HALF];
     limbs.copy_from_slice(integer);

@@ -1,7 +1,7 @@
 //! Exponential function, logarithm, sine and cosine, with error bounds in terms of u = 2⁻⁵³.
 //!
 //! The argument is reduced to a small r, at which a series is summed. A bound adds the errors of
-//! the reduction, of the last sum, and of the other terms, weighted by their share in the value.
+//! the reduction, of the last sum, and of the other terms, weighted by their fraction of the value.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, LOG2_E, SQRT_2};
 
@@ -11,7 +11,7 @@ use super::Dd;
 use super::error_free::two_product;
 use super::extremes::{exponent, scaled};
 
-/// The leading 40 bits of ln 2. Products with exponents are exact.
+/// The leading 40 bits of ln 2, so that products with exponents are exact.
 const LN_2: f64 = 0.6931471805592082;
 const REST_OF_LN_2: Dd = Dd { high: 7.371002565167799e-13, low: 1.94704509238075e-31 };
 

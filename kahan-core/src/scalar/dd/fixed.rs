@@ -90,7 +90,7 @@ impl Fixed {
     }
 }
 
-/// Returns the limb and the bit in it that stand for 2^exponent.
+/// Returns the indices of a limb, and of the bit in this limb whose value is 2^exponent.
 fn place(exponent: i32) -> (usize, u32) {
     let bit = (exponent + POINT) as u32;
     ((bit / 64) as usize, bit % 64)

@@ -124,7 +124,7 @@ impl LongNumber {
     }
 
     /// Returns whether a larger capacity would not help, because all components are known, or a
-    /// known component is out of range. Each component comes with whether it is in range.
+    /// known component is out of range. The `bool` says whether a component is in range.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);

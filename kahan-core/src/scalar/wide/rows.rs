@@ -17,7 +17,7 @@ pub(super) struct DigitRow<const M: usize> {
     cut: Size,
 }
 
-/// The capacity of short rows, and the number of leading digits that a short row takes.
+/// The capacity of a short row in digits. `LEADING` digits of a long row are copied to a short one.
 const SHORT: usize = 40;
 const LEADING: usize = 18;
 
@@ -27,7 +27,7 @@ fn from_here_on((place, digit): (i64, i64)) -> Size {
 }
 
 impl<const M: usize> DigitRow<M> {
-    /// Whether quotient digits are estimated by dividing short rows instead of floats.
+    /// Whether quotient digits are estimated from short rows of leading digits instead of floats.
     const IS_LONG: bool = M > SHORT;
 
     /// The minimum number of correct bits of an estimated quotient.
@@ -130,7 +130,6 @@ impl<const M: usize> DigitRow<M> {
                 (Some(this), Some(that)) => Some(this.min(that)),
                 (this, that) => this.or(that),
             };
-            // The carry is at or below the place of the next digit.
             let here = if carry == 0 { next } else { Some(place) };
             let Some(here) = here else { break };
             let mut take = |digits: &mut &[(i64, i64)], sign: i64| {
@@ -156,7 +155,6 @@ impl<const M: usize> DigitRow<M> {
         let (mut place, mut carry) = (0, 0);
         for &(at, digit) in self.digits().iter().rev() {
             if carry != 0 && place != at + up {
-                // A carry below 2⁶³ is itself a digit.
                 carry = product.settle(place, carry);
             }
             carry = product.settle(at + up, i128::from(digit) * i128::from(factor) + carry);
@@ -217,7 +215,7 @@ impl<const M: usize> DigitRow<M> {
     }
 
     /// Returns q and r with self = q·divisor + r exactly, for a nonzero divisor. The remainder r is
-    /// below the last place of a number.
+    /// below the last digit that a number can store.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {

@@ -1,4 +1,4 @@
-//! Tests whether an ordinary step preserves enough digits. Otherwise an orbit follows lines.
+//! Tests whether an ordinary step keeps enough digits; otherwise `passage` finds the next point.
 //!
 //! A step has the derivative A(x,ε)⁻¹A(x̃,−ε). If A(x,ε) is nearly singular, x̃ is large or
 //! inaccurate. If A(x̃,−ε) is nearly singular, the step maps different points to one x̃, up to

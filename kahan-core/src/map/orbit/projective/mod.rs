@@ -180,7 +180,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         point
     }
 
-    /// Ends the passage, and returns the next point from the last point alone.
+    /// Ends the passage, and continues from its last point if this point is finite.
     fn leave_passage(&mut self, passage: Passage<M, T, N>) -> Option<ProjectivePoint<T, N>> {
         match passage.into_last_point().and_then(ProjectivePoint::affine) {
             Some(x) => self.after(x),

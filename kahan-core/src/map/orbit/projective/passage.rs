@@ -1,7 +1,7 @@
 //! The passage through a pole: steps advance lines that pass through the point before the pole.
 //!
 //! A line consists of the points x + δv for one direction v. Each step solves A(x,ε)·x̃ = b(x,ε)
-//! over numbers that depend on δ. If both lines have one limit as δ → 0, this limit is the next
+//! over numbers that depend on δ. If two lines have one limit as δ → 0, this limit is the next
 //! point of the orbit. The passage ends after merged points are separate again.
 
 use std::vec::Vec;

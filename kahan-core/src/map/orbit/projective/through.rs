@@ -28,11 +28,11 @@ pub(super) trait PassageScalar: Scalar {
         is_flat: &mut bool,
     ) -> bool;
 
-    /// Returns whether two limits agree, up to traces of the perturbation δ.
+    /// Returns whether two limits agree, up to small terms that contain the perturbation δ.
     fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool;
 }
 
-/// The relative distance below which two limits count as equal.
+/// Two limits are treated as equal if their relative distance is below this number.
 const NEAR: f64 = 1.0 / (1_u32 << 18) as f64;
 
 fn largest<T: Scalar, const N: usize>(x: &SVector<T, N>) -> f64 {

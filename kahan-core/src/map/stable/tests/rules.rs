@@ -1,5 +1,5 @@
-//! Tests that each rule of the running error bound is nearly sharp. With one rounding less, or with
-//! half of the slack, the rule would fail.
+//! Tests that each rule of the running error bound is nearly sharp. The rule would fail if it
+//! counted one rounding less, or if the reserve in the factor `SLACK` were halved.
 
 use num_traits::One;
 
@@ -78,7 +78,7 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
     }
 }
 
-/// (1+u)⁴⁰ − 1 exceeds 40 u, and magnitudes are rounded down. Half of the slack would not suffice.
+/// The factor `SLACK` covers that (1+u)⁴⁰ − 1 exceeds 40·u, and that magnitudes are rounded down.
 #[test]
 fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
     with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));
@@ -116,7 +116,7 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// The divisor's error is nearly 1/64.
+/// The relative error of the divisor is nearly 1/64, the maximum.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     const MIDDLE: i32 = 13;
@@ -207,7 +207,7 @@ fn a_weight_of_an_exact_number_counts_the_product() {
     }
 }
 
-/// A known radius determines magnitude and roundings, even if terms cancelled.
+/// If a number has an error radius, the radius gives its bound, even if terms cancelled.
 #[test]
 fn a_known_radius_is_the_error() {
     use crate::scalar::{Size, Wide};
@@ -255,7 +255,7 @@ fn units_are_those_of_the_operations() {
     use crate::Dd;
     let u = f64::EPSILON / 2.0;
     assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
-    // A quotient errs by at most 14u². A multiply-add counts as two roundings, and errs by 16u² in
-    // the product and by 5u² in the result.
+    // A quotient errs by at most 14u². A multiply-add is counted as two roundings, and errs by 16u²
+    // in the product and by 5u² in the result.
     assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

@@ -200,7 +200,7 @@ fn the_first_rung_keeps_the_promise() {
     assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
 }
 
-/// The underflow error of y² times a exceeds the allowance.
+/// The underflow error of y² is multiplied by a = 2⁶⁰, and then exceeds the allowance.
 #[test]
 fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };
@@ -212,7 +212,7 @@ fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     assert!(off_by((0, 1), step).is_some());
 }
 
-/// Rounding to a narrower scalar counts as an error, which exceeds the bound near underflow.
+/// Rounding to a narrower scalar adds an error, which exceeds the bound near underflow.
 #[test]
 fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
     let least = f32::from_bits(1);
@@ -264,7 +264,7 @@ fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     }
 }
 
-/// The terms are too far apart for 17 digits in expanded forms, but elimination succeeds.
+/// Expanded forms would need more than 17 × 64 bits for their terms, but elimination succeeds.
 #[cfg(feature = "std")]
 #[test]
 fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {
@@ -325,12 +325,12 @@ fn assert_answered<const N: usize>(
 }
 
 crate::kahan! {
-    /// No field where a = b.
+    /// The field is undefined where a = b.
     struct Divided { a, b }
     xdot = x^2/(a - b) - x;
 }
 
-/// A step reports every reason except exhausted digits, which are too rare.
+/// Tests every reason for failure except too few digits, which occurs too rarely.
 #[test]
 fn reports_say_what_is_the_case() {
     use crate::SingularStep;

@@ -8,7 +8,7 @@ use crate::scalar::bounded::underflow;
 use crate::scalar::bounded::{Number, power_of_two};
 
 const FINE: i32 = 40;
-/// The error η of an underflow, without a relative error.
+/// The argument of `off_by` for an underflow: a relative error of 0·u, an absolute error of 1·η.
 const TINY: (i64, i64) = (0, 1);
 
 type Value = Beside<FINE>;
@@ -102,8 +102,8 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
-/// Premises that constants and operations can violate without inputs. Just beyond each premise, the
-/// true error exceeds the bound.
+/// Premises of the error bound that concern constants and operations, not inputs. Just beyond each
+/// premise, the true error exceeds the bound.
 mod premises {
     use super::super::worst::{Beside, Worst, off_by, with_low_magnitudes};
     use super::TINY;
@@ -153,7 +153,7 @@ mod premises {
 
     #[test]
     fn no_more_operations_underflow_than_the_allowance_is_made_for() {
-        // Factors ½ are below 2⁰ and add no bits.
+        // Factors ½ do not enlarge a product; therefore only the number of operations matters.
         let half = |roundings| Bounded::<Worst<FINEST>>::literal(Worst::of_float(0.5), roundings);
         let product = |count: u32, roundings: u32| {
             (0..count).fold(half(0), |product, _| product * half(roundings)).largest_input()
@@ -243,13 +243,13 @@ mod premises {
             for power in [bits, -bits] {
                 assert_eq!(over(sign * power_of_two(power)).largest_input(), InputLimit::below(20 - 1 - 6));
             }
-            // A larger ε counts as an ordinary input. A smaller ε may be an invalid divisor.
+            // A larger ε is treated as any other input. A smaller ε may be an invalid divisor.
             assert_eq!(over(sign * power_of_two(bits + 1)).largest_input(), InputLimit::below(20 - 1 - 8));
             assert_eq!(over(sign * power_of_two(-bits - 1)).largest_input(), InputLimit::NONE);
         }
     }
 
-    /// For B bits of products and an error of η per operation, the allowance is 2¹⁰·2ᴮ·η.
+    /// The allowance of a format is 2¹⁰·2ᴮ·η, with B bits of products and the underflow error η.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {
@@ -261,7 +261,7 @@ mod premises {
     }
 }
 
-/// The numerator is 0 after an underflow, and only the allowance covers the error of the product.
+/// The numerator underflows to 0. Only the allowance covers the error of the product.
 #[test]
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");

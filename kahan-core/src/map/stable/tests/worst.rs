@@ -227,7 +227,7 @@ impl<const BITS: i32> Beside<BITS> {
     }
 
     /// Returns error/bound, which is at most 1 if the bound is valid. Also checks that the
-    /// magnitude bounds the value, up to the slack.
+    /// magnitude bounds the value, up to the factor 1.0625.
     pub(super) fn part(&self) -> f64 {
         let magnitude: f64 = self.bounded.magnitude().into();
         assert!(self.exact.abs().to_f64().expect("a number") <= 1.0625 * magnitude, "{self:?}");

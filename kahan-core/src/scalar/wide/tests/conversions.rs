@@ -49,7 +49,6 @@ fn a_float_is_taken_exactly() {
     let mut random = Random(12);
     for _ in 0..10_000 {
         let x = any_f64(&mut random);
-        // The number x·2¹⁰⁷⁴ is an integer.
         let exact = Dyadic::of(Wide::from(x)).scaled(1074);
         let scaled = &exact.integer * BigInt::from(2).pow(3000);
         let spelled = scaled_integer(x) * BigInt::from(2).pow(3000);

@@ -16,14 +16,14 @@ use super::{DeltaSeries, direction};
 /// [`Dd`](crate::Dd).
 const DELTA: i32 = -192;
 
-/// A coordinate counts as infinite if its exponent exceeds that of the point by this number. A
-/// coordinate counts as 0 if its exponent is lower by this number.
+/// A coordinate is treated as infinite if its exponent exceeds that of the point by this number,
+/// and as 0 if its exponent is lower by this number.
 const INFINITE: i64 = 96;
 
 /// The number of bits to which a limit must be known, more than any float of this crate has.
 const KNOWN: i64 = 110;
 
-/// Returns the limit of a coordinate as δ → 0, without traces of δ far below the leading digits.
+/// Returns the limit of a coordinate as δ → 0, by rounding away the small terms that contain δ.
 fn without_delta(entry: Wide, size: Size) -> Wide {
     if entry.size() < size.scaled(-INFINITE) {
         return Wide::zero();
@@ -32,11 +32,11 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN) { leading } else { entry }
 }
 
-/// The number of bits by which the way back to the first point may amplify rounding errors.
+/// The steps back to the first point may amplify rounding errors by 2 to this power.
 const LOST: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// The first attempt, for points near a pole, has δ = 0; the others use different directions.
+    /// The first attempt has δ = 0, for points near a pole. The other attempts use other lines.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
