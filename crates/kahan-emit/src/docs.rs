@@ -27,7 +27,8 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
     quote!(#before #[doc = #line])
 }
 
-/// Writes the documentation of a system. `follows` says that the user's documentation comes first.
+/// Writes the documentation of a system. `follows` says whether the user's documentation comes
+/// first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
         return stand_in(follows);
@@ -128,7 +129,7 @@ fn proved(context: &Context<'_>, claim: &Claim) -> String {
     if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
-/// Writes a paragraph about the largest accurate step sizes, if they are limited.
+/// Writes a paragraph about the norms ‖ε f′‖∞ up to which steps are accurate, if they are limited.
 fn domain(who: &str, holds_to: u32) -> Vec<String> {
     if holds_to == LARGEST_SIZE {
         return Vec::new();

@@ -95,8 +95,8 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// Returns the items. Without a header, returns a block that ends with
-    /// `Field { mu: Clone::clone(&mu) }`, in which the parameters keep the user's tokens and scope.
+    /// Returns the items. Without a header, returns a Rust block that ends with `Field { mu:
+    /// Clone::clone(&mu) }`, where `mu` is a variable in the user's scope.
     pub(super) fn emit_with(&self, items: &TokenStream, input: &FlatTokens) -> TokenStream {
         if self.header.is_some() {
             return items.clone();
