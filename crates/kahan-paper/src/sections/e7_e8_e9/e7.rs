@@ -110,7 +110,7 @@ K.series | the series for K_7, summed at xi = 41/2, where it converges fast, add
 K.value | K_7 at a point, addition | K7(3/7, 11/13, 23/47, 1/2, 19/17) ~ 0.9698134589166862554
 ";
 
-/// The parameters β and γ of Theorem 3, in terms of the parameters of formulas (ww) and (ew).
+/// The call `point(F)` is F at the initial state that the parameters τ, β and γ determine.
 const POINT: &str = "point(F) := on(F, 1/(2*eps*tau), beta/(2*eps), gamma/(2*eps))";
 const SPECIAL_CASES: &str = "
 parameters.beta1 | beta_1 at xi = 1 | point(y/x) = tau*beta
