@@ -15,7 +15,7 @@ use super::tally::{Cell, Failure, Tally};
 pub(crate) struct Trials<'a, T> {
     targets: Vec<&'a Target>,
     fixed: Vec<Vec<Option<T>>>,
-    /// The indices of the targets that have poles.
+    /// The indices of the systems whose maps have poles.
     with_poles: Vec<usize>,
     with_removable_poles: Vec<usize>,
     strata: u64,
@@ -30,7 +30,7 @@ pub(crate) struct PreparedTrials<'a, T> {
 pub(crate) struct Trial<'a, T> {
     index: u64,
     target: &'a Target,
-    /// The index of the trial's target.
+    /// The index of the tested system.
     place: usize,
     inputs: Inputs<T>,
     /// The exact trial, if all inputs are finite.
@@ -43,7 +43,7 @@ struct ExactTrial {
     exact: Option<Box<dyn ExactStep>>,
 }
 
-/// Returns the number of trials of one scalar, including special inputs.
+/// Adds the trials with subnormal inputs, nonfinite inputs and large steps to `trials`.
 pub(crate) fn with_special_inputs(trials: u64) -> u64 {
     trials + 3 * special(trials)
 }
