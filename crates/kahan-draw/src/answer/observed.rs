@@ -131,10 +131,9 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Writes the digits of a value that an error of this size leaves unchanged.
+/// Writes a value to the decimals that its error leaves unchanged.
 fn known(value: f64, error: f64) -> String {
     let places = -libm::log10(error).floor();
-    // Eight digits are enough, also without an error estimate.
     if !(value.is_finite() && (..=8.0).contains(&places)) {
         return number(value);
     }

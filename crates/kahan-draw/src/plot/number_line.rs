@@ -42,8 +42,8 @@ impl NumberLine {
         NumberLine { label: label.to_owned(), low, high, marks: TickKind::Round }
     }
 
-    /// Makes an axis that shows all finite values with small margins. Values that differ by
-    /// rounding errors count as equal.
+    /// Makes an axis that shows all finite values with small margins. Differences of the size of
+    /// rounding errors are ignored.
     #[must_use]
     pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         const ROUNDING: f64 = 1e-13;
@@ -132,7 +132,7 @@ impl NumberLine {
             steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
-        // The sort is stable, so coarse steps come first among choices with four to seven ticks.
+        // The sort is stable, so the coarsest step that gives at least four ticks comes first.
         marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
         let chosen = marked.iter().position(|ticks| fits(ticks));
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))

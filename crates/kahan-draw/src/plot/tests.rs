@@ -145,7 +145,6 @@ fn a_file_has_its_own_style_and_what_is_read_out() {
     let dark = on((900, 600), Theme::Dark);
     assert!(dark.contains("stroke=\"#2d8bb9\"") && dark.contains("fill=\"#14171b\""), "{dark}");
     assert!(["prefers-color-scheme", "var(", "#435bc6"].iter().all(|word| !dark.contains(word)), "{dark}");
-    // A flat canvas is widened until both axes have room.
     assert_eq!(Canvas::new((4000, 1000), Theme::Dark).view_box, (1040.0, 260.0));
 }
 
@@ -199,7 +198,8 @@ fn words(svg: &str) -> Vec<(String, Box)> {
     svg.split("<text").skip(1).map(element).collect()
 }
 
-/// Asserts that labels lie on the canvas without overlap, in at least six points in print.
+/// Asserts that labels lie on the canvas without overlap, and are at least six points high in
+/// print.
 fn has_room(drawing: &Drawing) {
     let svg = drawing.svg();
     let (across, upwards) = drawing.sheet.view_box;
