@@ -27,7 +27,7 @@ mod keys {
     pub(super) const FLOATS: &str = "kahan.floats";
     pub(super) const COLUMNS: &str = "kahan.columns";
     pub(super) const SEED: &str = "kahan.seed";
-    /// The metadata keys that only parts have.
+    /// The following keys occur only in the metadata of parts.
     pub(super) const PART: &str = "kahan.part";
     pub(super) const CHECKSUM: &str = "kahan.crc32";
 }
@@ -219,7 +219,7 @@ fn put<W: Write + Send>(
 /// The digits that stand in the file while its checksum is computed.
 const NO_DIGITS: &str = "00000000";
 
-/// The CRC-32 of a whole file, in which the digits of the checksum count as zeros.
+/// The CRC-32 of a whole file, computed with zeros in place of the checksum's digits.
 struct Checksum {
     found: String,
     stated: Vec<u8>,

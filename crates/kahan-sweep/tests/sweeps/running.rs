@@ -28,7 +28,6 @@ fn bytes_do_not_depend_on_shards_threads_and_order() {
 
 #[test]
 fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
-    // A part takes about as long as the longer waits, so that early and late parts are killed.
     let plan = PLAN.replace("steps = 50", "steps = 100");
     let expected = undisturbed(&plan);
     let folder = folder(&plan);
