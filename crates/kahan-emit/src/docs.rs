@@ -13,7 +13,7 @@ use quote::quote;
 use super::Context;
 use super::lifted::Lifted;
 
-/// The largest length in bytes. Longer formulas are left to `kahan show`.
+/// The largest length of a formula in bytes. Longer formulas are shown only by `kahan show`.
 const LONGEST: usize = 2_000;
 
 fn emit_lines(lines: &[String]) -> TokenStream {
@@ -175,7 +175,7 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 }
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// Longer formulas are shown only in the documentation of `integrals`.
+    /// Formulas with more characters are shown only in the documentation of `integrals`.
     const SHORT: usize = 120;
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());

@@ -172,8 +172,8 @@ impl Context<'_> {
         })
     }
 
-    /// Expands to a function that writes each result of a plan to an index of an output slice: `fn
-    /// rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
+    /// Expands to a function that writes each result of a plan to an index of an output slice:
+    /// `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);
         let inputs = self.emit_inputs(plan, &self.lines.symbols);

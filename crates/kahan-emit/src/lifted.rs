@@ -233,7 +233,7 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     }
 }
 
-/// Emits the body of `embed`, with one binding for each operation in `f64`.
+/// Emits the body of `embed`, in which every operation in `f64` has a binding.
 fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
     let program = &lifted.embedding.program;

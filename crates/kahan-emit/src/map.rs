@@ -55,7 +55,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the step of a plan. Dual numbers give the Jacobian.
+/// Emits the step of a plan, and its Jacobian as a step in dual numbers.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {
