@@ -32,7 +32,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y*(N + 1 - xi/2)/(N + xi/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + 2*xi*Y*next(Y)
 ";
 
-/// Claims about the solution. A name that ends in `.step` marks one step from any point.
+/// Claims about the solution. Names that end in `.step` mark claims about one step from any point.
 const SOLUTIONS: &str = "
 x | (ss), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 y | (ww), solution y_n |
