@@ -79,8 +79,7 @@ pub struct Judged {
     pub random_fields: Vec<(String, String)>,
     /// The number of additional fields with extreme coefficients.
     pub odd_fields: usize,
-    /// The number of trials of each scalar. Trials with special inputs and large steps are not
-    /// counted.
+    /// The number of trials of each scalar, as in [`Extremes::trials`].
     pub trials: u64,
     /// The seed of points and fields.
     pub seed: u64,
@@ -95,12 +94,13 @@ pub struct Judged {
 }
 
 impl Extremes {
-    /// Tests steps of the given fields and of the random fields on the threads of the watch.
+    /// Tests steps of the given fields and of the random fields, on as many threads as `watch`
+    /// allows.
     ///
     /// At least one field is needed.
     ///
-    /// # Errors
-    /// Returns [`CannotJudge`] if a field has too many variables or is undefined at its parameters.
+    /// # Errors Returns [`CannotJudge`] if a field has too many variables or is undefined at its
+    /// parameters.
     pub fn of(&self, studies: &[Study], watch: &dyn Watch) -> Result<Judged, CannotJudge> {
         let begun = watch.now();
         let of_study = |study: &Study| {

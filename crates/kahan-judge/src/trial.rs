@@ -33,7 +33,7 @@ pub(crate) struct Trial<'a, T> {
     /// The index of the tested system.
     place: usize,
     inputs: Inputs<T>,
-    /// The exact trial, if all inputs are finite.
+    /// The exact inputs and the exact step, if all inputs are finite.
     known: Option<ExactTrial>,
 }
 
@@ -110,7 +110,7 @@ impl<'a, T: Float> Trials<'a, T> {
         Trial { index, target, place, inputs, known }
     }
 
-    /// Returns the index of the target of a trial, and the arguments of its step.
+    /// Returns the index of a trial's system, and the arguments of its step.
     pub(crate) fn inputs(&self, index: u64) -> (usize, Inputs<T>) {
         let (regime, place) = self.stratum(index);
         // Trials with neighbouring indices get independent random streams.
@@ -122,8 +122,8 @@ impl<'a, T: Float> Trials<'a, T> {
         )
     }
 
-    /// Returns the regime and the target of a trial. Successive trials cycle through regimes, then
-    /// through targets.
+    /// Returns the regime of a trial and the index of its system. Successive trials cycle through
+    /// regimes, then through systems.
     fn stratum(&self, index: u64) -> (Regime, usize) {
         let (regime, turn) = match index.checked_sub(self.strata) {
             Some(special) => {
