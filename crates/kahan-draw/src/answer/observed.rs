@@ -96,7 +96,7 @@ pub fn convergence(observed: &Observed) -> Option<String> {
     })
 }
 
-/// Explains an orbit that ended before the requested steps.
+/// Explains why an orbit ended before the requested number of steps.
 #[must_use]
 pub fn out_of_range(observed: &Observed) -> Option<String> {
     let Observed { system, steps, end, why, .. } = observed;

@@ -1,13 +1,13 @@
-//! Axes with round ticks. A number is subtracted from values that share leading digits. Very large
-//! or small values are divided by a power of ten. The name of the axis states the number and the
-//! power.
+//! Axes with round ticks. If all values have equal leading digits, a number is subtracted from
+//! them. Very large or small values are divided by a power of ten. The name of the axis states the
+//! number and the power.
 
 use super::script::raised;
 
 /// An axis.
 #[derive(Clone, Debug)]
 pub struct NumberLine {
-    /// The label. Single letters are variables, as in `ln n`.
+    /// The label. Single letters denote variables, as in `ln n`.
     pub label: String,
     /// The least value shown.
     pub low: f64,
@@ -99,7 +99,7 @@ impl NumberLine {
         libm::exp10(libm::log10(self.high - self.low).floor())
     }
 
-    /// Returns the number to subtract from values that share leading digits. Otherwise returns 0.
+    /// Returns the number to subtract from values with equal leading digits, otherwise 0.
     fn offset(&self) -> f64 {
         const SHARED: f64 = 1e4;
         let unit = self.unit();

@@ -40,7 +40,7 @@ pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, DrawingFileError> {
     use krilla::{Document, geom::Size, page::PageSettings};
     use krilla_svg::{SurfaceExt, SvgSettings};
 
-    /// A point is 1/72 inch, and a CSS pixel is 1/96 inch.
+    /// The number of points (1/72 inch) in a CSS pixel (1/96 inch).
     const POINTS: f32 = 0.75;
 
     let tree = read(svg)?;

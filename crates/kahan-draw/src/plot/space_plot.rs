@@ -74,7 +74,6 @@ impl View {
             let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch)).map(f64::abs));
             corners.fold([0.0; 3], |far, corner| std::array::from_fn(|i| far[i].max(corner[i])))
         };
-        // The margins are for tick labels and for the name of an axis on the left.
         let left = 27.0 + (7.0 + widest(&axes[2])).max(14.0 + widest(&axes[1]) / 2.0);
         let right = RIGHT.max(12.0 + widest(&axes[0]) / 2.0);
         let (width, height) = (size.0 - left - right, size.1 - TOP - BOTTOM);

@@ -1,4 +1,4 @@
-//! Tests of positions, labels and descriptions.
+//! Tests positions, labels and descriptions in drawings.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -35,7 +35,6 @@ fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     let (_, path) = svg.split_once(" d=\"").expect("a path");
     let path = path.split('"').next().expect("its end");
     assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 3), "{path}");
-    // The line to (99, 1) is clipped.
     assert!(path.contains("L466 "), "{path}");
 }
 
@@ -77,7 +76,6 @@ fn near_points_of_space_are_drawn_over_far_ones_and_no_width_jumps() {
         let shapes = shapes(&receding(mark), class);
         assert!(shapes.len() > 10, "{mark:?}: {shapes:?}");
         for pair in shapes.windows(2) {
-            // Widths grow from the back to the front, by less than 0.1 unit.
             let grows = pair[1].1 - pair[0].1;
             assert!((0.0..=0.1001).contains(&grows), "{mark:?}: {pair:?}");
         }
