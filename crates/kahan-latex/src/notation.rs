@@ -52,7 +52,7 @@ impl Notation for Latex {
         }
     }
 
-    /// Writes a product with a dot before each later number, and thin spaces beside words.
+    /// Writes a product with dots before numbers that are not first, and thin spaces beside words.
     fn product(&self, factors: &[String]) -> String {
         let mut text = String::new();
         let mut before = "";
