@@ -62,7 +62,7 @@ impl Run<'_> {
                 Some(Ok(_)) => {
                     let rows = self.plan.part(index);
                     (self.progress)(rows.end - rows.start);
-                    // Another process may have finished the part in the meantime.
+                    // If another process has finished the part, temporary files may remain.
                     part.tidy();
                     continue;
                 }

@@ -45,9 +45,9 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
 /// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum UnusablePart {
-    /// The file is incomplete, altered, or belongs to a different part.
+    /// The file is incomplete, altered, or a different part.
     Damaged(String),
-    /// The file belongs to another plan, version or floating-point mode.
+    /// The file was written for another plan, version or floating-point mode.
     Foreign(String),
 }
 
@@ -68,7 +68,7 @@ pub(crate) struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// Names the part with this index in a folder.
+    /// Returns the part with this index in a folder, which need not exist yet.
     pub(crate) fn of(plan: &'a Plan, index: u64, folder: &Path) -> Self {
         Part { plan, index, path: folder.join(format!("part-{index:012}.parquet")) }
     }
