@@ -99,8 +99,8 @@ impl Extremes {
     ///
     /// At least one field is needed.
     ///
-    /// # Errors Returns [`CannotJudge`] if a field has too many variables or is undefined at its
-    /// parameters.
+    /// # Errors
+    /// Returns [`CannotJudge`] if a field has too many variables or is undefined at its parameters.
     pub fn of(&self, studies: &[Study], watch: &dyn Watch) -> Result<Judged, CannotJudge> {
         let begun = watch.now();
         let of_study = |study: &Study| {
