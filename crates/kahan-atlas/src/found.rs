@@ -10,7 +10,7 @@ use kahan_paper::{Claim, Established, Id, Outcome, Paper};
 pub struct CheckedClaim<'a> {
     /// The claim.
     pub claim: &'a Claim,
-    /// The outcome of the claim, with its detail.
+    /// The outcome of the claim, with the evidence for it.
     pub established: Established,
 }
 

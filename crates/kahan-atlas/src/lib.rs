@@ -1,8 +1,8 @@
 //! The paper as one HTML page, written from established claims.
 //!
-//! In: the claims of `kahan-paper` with their outcomes, and heights along the paper's orbits
-//! ([`AtlasContent::compute`]). Out: one HTML document with MathML and SVG, without scripts or
-//! network access ([`page`]). The crate must not know the command or files.
+//! The input consists of the claims of `kahan-paper` with their outcomes, and of the heights along
+//! the paper's orbits ([`AtlasContent::compute`]). The output is one HTML document with MathML and
+//! SVG, without scripts or network access ([`page`]).
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -203,7 +203,6 @@ fn text_of(markup: &str) -> String {
 #[test]
 fn b_is_shown_where_it_is_not_x() {
     let page = page_with(&Paper::new(), good);
-    // The Lagrange top has linear terms, whose coefficients are parameters.
     for (system, has_b) in [("euler", false), ("lagrange", true), ("lv", true)] {
         assert_eq!(sheet(&page, system).contains("<mi>b</mi><mo"), has_b, "{system}");
     }
@@ -260,7 +259,6 @@ fn parentheses_stretch_around_what_is_tall() {
     let page = page_with(&Paper::new(), good);
     let mut stretched = 0;
     for formula in formulas(&page) {
-        // The open parentheses: the position, and whether the parenthesis stretches.
         let mut open: Vec<(usize, bool)> = Vec::new();
         let mut at = 0;
         for piece in formula.split_inclusive('<') {
@@ -289,7 +287,6 @@ fn parentheses_stretch_around_what_is_tall() {
 fn width(formula: &str) -> usize {
     let xml = format!("<math {formula}</math>");
     let mut reader = Reader::from_str(&xml);
-    // The open elements: the name, and the widths of the children.
     let mut open: Vec<(String, Vec<usize>)> = vec![(String::new(), Vec::new())];
     loop {
         match reader.read_event().expect("well formed") {

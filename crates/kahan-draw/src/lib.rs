@@ -2,8 +2,8 @@
 //!
 //! The input consists of answers of `kahan-study`, or of points, numbers and formulas. The output
 //! consists of drawings and HTML pages. `plot` turns a [`Plot`], [`SpacePlot`] or [`Grid`] into a
-//! [`Drawing`]. [`picture`] draws answers, and [`document`] and [`answer`] write pages. Commands
-//! and file access are deliberately absent.
+//! [`Drawing`]. [`picture`] draws answers, and [`document`] and [`answer`] write pages. The crate
+//! neither parses arguments nor writes files.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

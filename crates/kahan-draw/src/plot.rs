@@ -93,7 +93,7 @@ impl Mark {
         }
     }
 
-    /// Returns the dash pattern that distinguishes colours in grey print. Lines have round caps.
+    /// Returns the dash pattern that distinguishes a colour from the others in grey print.
     fn dashes(self, colour: usize) -> Option<&'static str> {
         match (self, colour) {
             (Mark::Level, _) => Some("5 4"),
@@ -112,7 +112,8 @@ pub struct Series {
     pub colour: usize,
     /// The style.
     pub mark: Mark,
-    /// The points in units of the axes. Points outside the axes are omitted, and lines are clipped.
+    /// The points in the coordinates of the axes. Points outside the axes are omitted, and lines
+    /// are clipped.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -320,7 +321,7 @@ fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &st
 
 /// Returns positions and labels of ticks. Labels do not overlap.
 fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
-    /// The height of a line of labels, and the smallest gap between labels.
+    /// The smallest vertical distance of two labels.
     const LINE: f64 = 14.0;
     const FREE: f64 = 7.0;
 

@@ -17,7 +17,7 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims, or a marker trait that makes rustc report a missing kind.
+/// Emits the accessors of all claims. If integrals or a density are missing, rustc reports this.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);
@@ -44,7 +44,8 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     emitted
 }
 
-/// Expands to `pub fn NAME(&self, x, eps) -> …`, which is generic for a type without parameters.
+/// Expands to `pub fn NAME(&self, x, eps) -> …`. The method is generic if the type has no
+/// parameters.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,

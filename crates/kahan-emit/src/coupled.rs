@@ -8,7 +8,7 @@
 //! }
 //! ```
 //!
-//! The size of the code is proportional to the number of couplings.
+//! The size of the code grows with the number of nonzero entries of A(x,ε).
 
 use kahan_algebra::elimination::{Couplings, Row};
 use kahan_algebra::plan::{Plan, variables};
@@ -80,7 +80,7 @@ pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> Token
     quote!([#(#parameters),*])
 }
 
-/// The most operations in one function. Compile time grows faster than the size of a function.
+/// The most operations in one function. A larger function would take longer to compile.
 const MOST_OPERATIONS: usize = 160;
 
 /// Emits the body of a function that returns the results of a plan. A long body is split.
@@ -122,7 +122,7 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     }
 }
 
-/// Emits a plan after the bindings of states and parameters. Returns the bindings and the results.
+/// Emits a plan and bindings of its states and parameters. Returns the bindings and the results.
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = variables(plan);

@@ -13,7 +13,7 @@ use quote::quote;
 use super::Context;
 use super::lifted::Lifted;
 
-/// The largest length in bytes. Longer formulas are left to `kahan show`.
+/// The largest length of a formula in bytes. Longer formulas are shown only by `kahan show`.
 const LONGEST: usize = 2_000;
 
 fn emit_lines(lines: &[String]) -> TokenStream {
@@ -27,7 +27,8 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
     quote!(#before #[doc = #line])
 }
 
-/// Writes the documentation of a system. `follows` says that the user's documentation comes first.
+/// Writes the documentation of a system. `follows` says whether the user's documentation comes
+/// first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
         return stand_in(follows);
@@ -128,7 +129,7 @@ fn proved(context: &Context<'_>, claim: &Claim) -> String {
     if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
-/// Writes a paragraph about the largest accurate step sizes, if they are limited.
+/// Writes a paragraph about the norms ‖ε f′‖∞ up to which steps are accurate, if they are limited.
 fn domain(who: &str, holds_to: u32) -> Vec<String> {
     if holds_to == LARGEST_SIZE {
         return Vec::new();
@@ -174,7 +175,7 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 }
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// Longer formulas are shown only in the documentation of `integrals`.
+    /// Formulas with more characters are shown only in the documentation of `integrals`.
     const SHORT: usize = 120;
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());

@@ -26,11 +26,11 @@ struct Context<'a> {
     family: &'a Family,
     lines: Lines,
     this: Type<'a>,
-    /// The scalar type of the plans, which may differ from that of the parameters.
+    /// The name of the plans' scalar type, which may differ from that of the parameters.
     line_scalar: Ident,
 }
 
-/// Emits the type of a family and its implementations. Without a header, a value follows.
+/// Emits the type of a family and its implementations, and without a header a value of the type.
 pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &FlatTokens) -> TokenStream {
     let this = Type::of(family.header.as_ref(), &family.parameters, &family.site_parameters, input);
     let line_scalar = format_ident!("{}", if this.name == "L" { "S" } else { "L" });
@@ -172,7 +172,7 @@ impl Context<'_> {
         })
     }
 
-    /// Expands to a function that writes the results of a plan into slices, at given indices:
+    /// Expands to a function that writes each result of a plan to an index of an output slice:
     /// `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);

@@ -15,7 +15,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let derived = context.derived.at_eps_zero();
     let (value, slope) = emit_value_and_slope(context, derived, &quote!(__kahan::integer(0)));
     let bilinear = emit_vector(context, derived.bilinear());
-    // A homogeneous quadratic field is polarised by its bilinear form alone.
+    // The polarised field of a homogeneous field is its bilinear form.
     let polarized = if derived.polarized() == derived.bilinear() {
         quote!(__kahan::QuadraticField::bilinear(self, x, y))
     } else {

@@ -31,7 +31,7 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     bindings
 }
 
-/// Binds the parameters among `inputs` to `read(field)`. The inputs must be sorted.
+/// Binds each parameter among the sorted `inputs` to the tokens that `read` returns for it.
 pub(super) fn emit_bound_parameters(
     inputs: &[Variable],
     symbols: &Symbols,

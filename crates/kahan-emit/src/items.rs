@@ -63,8 +63,8 @@ impl<'a> Type<'a> {
         self.has_parameters().then(|| quote!(<#scalar>))
     }
 
-    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. The argument of
-    /// `formulas` says whether the user's documentation comes first.
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. The function
+    /// `formulas` is called with `true` if the user's documentation comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
@@ -95,8 +95,8 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// Returns the items. Without a header, returns a block that ends with
-    /// `Field { mu: Clone::clone(&mu) }`, in which the parameters keep the user's tokens and scope.
+    /// Returns the items. Without a header, returns a Rust block that ends with
+    /// `Field { mu: Clone::clone(&mu) }`, where `mu` is a variable in the user's scope.
     pub(super) fn emit_with(&self, items: &TokenStream, input: &FlatTokens) -> TokenStream {
         if self.header.is_some() {
             return items.clone();

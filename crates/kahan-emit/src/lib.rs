@@ -209,7 +209,7 @@ fn emit_broken(
     quote! { #errors #definition }
 }
 
-/// Emits the type of a system and its implementations. Without a header, a value follows.
+/// Emits the type of a system and its implementations, and without a header a value of the type.
 fn emit_system(
     core: &TokenStream,
     derived: &Derived,

@@ -21,7 +21,7 @@ use super::inputs::binding;
 use super::items::{emit_list, identifier};
 use super::{Context, docs};
 
-/// The budget of the search for a lift, small enough for an unoptimised macro.
+/// The budget of the search for a lift. More would take too long in an unoptimised macro.
 const NODES: usize = 200;
 
 pub(super) struct Lifted {
@@ -60,7 +60,7 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
 }
 
-/// Adds a note to an error about the search budget: the command has a larger budget.
+/// Rewrites an error about the search budget, and suggests the command, which has a larger budget.
 fn name_command(mistake: &mut Diagnostic, place: Span) {
     if mistake.kind == Kind::TooLarge && mistake.span == Span::token(0) {
         mistake.span = place;
@@ -149,8 +149,8 @@ fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Tests in floats whether an integral without proof is constant on the relations of the lift:
-/// steps there must change the integral by less than 1e-9 of its change elsewhere.
+/// Tests in floats whether an unproved integral is constant on states that satisfy the relations of
+/// the lift: a step may change it by at most 1e-9 of its change from other states.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -204,7 +204,7 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to `embed` and `project`. Their bounds make errors of rustc name the scalar.
+/// Expands to `embed` and `project`. Trait bounds let rustc name the scalar in errors.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));
@@ -233,7 +233,7 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     }
 }
 
-/// Emits the body of `embed`, with one binding for each operation in `f64`.
+/// Emits the body of `embed`, in which every operation in `f64` has a binding.
 fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
     let program = &lifted.embedding.program;

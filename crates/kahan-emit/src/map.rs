@@ -1,4 +1,4 @@
-//! Emits `KahanMap`: the prepared step, and short closed forms of N and D.
+//! Emits `KahanMap`: the prepared step, and short formulas for the map as a quotient N/D.
 
 use kahan_algebra::elimination::{Couplings, MOST_EXPANDED};
 use kahan_algebra::plan::{Plan, variables};
@@ -55,7 +55,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the step of a plan. Dual numbers give the Jacobian.
+/// Emits the step of a plan, and its Jacobian as a step in dual numbers.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {
@@ -116,7 +116,7 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the tangent map from x to its image `y`, or `None` if the plans contain no such form.
+/// Emits the map of tangent vectors at x to those at the image `y`, if a plan for it exists.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.tangent_map()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
@@ -148,7 +148,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     })
 }
 
-/// Emits the closed forms of det A, (N, D) and the reduced (N, D), which are polynomials.
+/// Emits formulas for det A, and for N and D of the map N/D, also in lowest terms.
 fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {

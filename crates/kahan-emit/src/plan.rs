@@ -73,7 +73,7 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the prepared constants in a kernel, `None` in other plans.
+    /// The names of the constants that a kernel receives; `None` in other plans.
     constants: Option<&'a [String]>,
     /// Whether each `let` contains a call that prevents auto-vectorisation.
     has_fences: bool,

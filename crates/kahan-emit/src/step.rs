@@ -1,11 +1,11 @@
-//! Emits the prepared step: constants made of ε and the parameters, and the kernel of a state.
+//! Emits the prepared step: constants, which depend on ε and the parameters, and the kernel.
 //!
 //! ```text
 //! pub struct __Step;
 //! impl Kernel<3, 2> for __Step { const COST …; fn quotients(constants, state) … }
 //! ```
 //!
-//! If a plan has a second form for all scalars, `__General` is emitted too.
+//! If a plan has a second form, which suits all scalars, the type `__General` is emitted too.
 
 use kahan_algebra::plan::{Node, Plan, StepCost, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};

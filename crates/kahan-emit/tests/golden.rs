@@ -142,7 +142,7 @@ fn a_block_of_too_many_couplings_is_told_of_families() {
     }
 }
 
-/// Beyond the limit the stack of rustc would overflow; therefore every kind of block reports it.
+/// Too many parameters would overflow the stack of rustc, so every kind of block refuses them.
 #[test]
 fn a_block_of_too_many_parameters_is_told_so() {
     for (count, is_refused) in [(2000, false), (2001, true)] {

@@ -14,7 +14,7 @@ pub(crate) struct Ball {
 
 const RADIUS_BITS: u64 = 31;
 
-/// Returns an upper bound of |value| with few bits.
+/// Returns an upper bound of |value| with about `RADIUS_BITS` bits.
 fn up(value: &Dyadic) -> Dyadic {
     let size = value.clone().abs();
     match size.cut(RADIUS_BITS) {

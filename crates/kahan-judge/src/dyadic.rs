@@ -74,7 +74,7 @@ impl Dyadic {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
             let exponent = self.exponent + excess as i64;
-            // A shift of a negative number would round down.
+            // The magnitude is shifted, because a shift of a negative number would round down.
             let magnitude = BigInt::from(self.integer.magnitude() >> excess);
             let integer = if self.is_negative() { -magnitude } else { magnitude };
             (Self { integer, exponent }, exponent)

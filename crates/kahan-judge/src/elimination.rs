@@ -117,7 +117,6 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let moved: Vec<Ball> = next.iter().zip(&equation.x).map(|(y, x)| y.minus(&exactly(x), bits)).collect();
     let right = |i: usize| {
         let row = &equation.rows[i];
-        // The nonzero entries of f′(x̃) in row i.
         let mut slopes: Vec<Option<Ball>> = vec![None; n];
         let mut by_eps = exactly(&row.field.clone().scaled(1));
         for (j, slope) in &row.slopes {
@@ -150,7 +149,7 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let (most, size) = (largest(sums.iter().map(Ball::most)), largest(next.iter().map(Ball::least)));
     let (least, size_at_most) = (largest(sums.iter().map(Ball::least)), largest(next.iter().map(Ball::most)));
     let (above, below) = (&most * &size_at_most, &least * &size);
-    // Accept a relative error of 2⁻²⁰.
+    // A relative error of 2⁻²⁰ is accepted.
     let is_known = !size.is_zero() && (&above - &below).scaled(20).compare(&below) != Ordering::Greater;
     is_known.then(|| most.ratio(&size))
 }

@@ -96,7 +96,7 @@ impl Float for f32 {
 impl Float for Dd {
     const NAME: &'static str = "dd";
     const STEP_TIER: &'static str = "accurate";
-    /// Below the least exponent, the low part of a number loses bits.
+    /// The format of `Dd`. Below 2^−969, the low part of a number loses bits.
     const FORMAT: Format = Format { precision: 102, least_binade: -969, greatest_binade: 1023 };
     const BITS: i64 = 106;
     const EPS_BINADES: i64 = 996;

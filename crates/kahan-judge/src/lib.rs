@@ -44,13 +44,14 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
     entries.map(|entry| Subject::named(entry.command))
 }
 
-/// The settings of a survey. Parameters without a given value are drawn for each trial.
+/// The settings of a survey, which tests steps at random points. Parameters without a given value
+/// are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
     /// The number of trials of each scalar. Trials with subnormal, infinite or NaN inputs and with
     /// large steps are added.
     pub trials: u64,
-    /// The number of random fields that share the trials with the systems.
+    /// The number of random fields. The trials are divided among them and the systems.
     pub random_fields: usize,
     /// The number of additional random fields with extreme coefficients.
     pub odd_fields: usize,
@@ -72,13 +73,13 @@ impl Default for Extremes {
 pub struct Judged {
     /// The name of the system, or `catalog` for several systems.
     pub system: String,
-    /// The systems that shared the trials.
+    /// The systems among which the trials were divided.
     pub systems: Vec<String>,
-    /// The name and the equations of each random field among the systems.
+    /// The name and the equations of each random field that was tested like a system.
     pub random_fields: Vec<(String, String)>,
     /// The number of additional fields with extreme coefficients.
     pub odd_fields: usize,
-    /// The number of trials of each scalar, without special inputs.
+    /// The number of trials of each scalar, as in [`Extremes::trials`].
     pub trials: u64,
     /// The seed of points and fields.
     pub seed: u64,
@@ -93,7 +94,8 @@ pub struct Judged {
 }
 
 impl Extremes {
-    /// Tests steps of the given fields and of the random fields on the threads of the watch.
+    /// Tests steps of the given fields and of the random fields, on as many threads as `watch`
+    /// allows.
     ///
     /// At least one field is needed.
     ///

@@ -129,7 +129,7 @@ impl<T: Float> InputSampler<'_, T> {
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
             }
-            // For k beyond the precision, rounding gives the zero itself or a neighbouring float.
+            // The relative distance 2^−k from the zero may be below the rounding error.
             let k = self.between(0, T::BITS + 6);
             let offset = zero.clone().scaled(-k);
             let moved = if self.random.below(2) == 0 { &zero + &offset } else { &zero - &offset };

@@ -69,8 +69,8 @@ mod tests {
 
     use super::*;
 
-    /// In `f32`, `try_step` begins in `f32` up to four variables, and in `f64` beyond. Padding must
-    /// not change this choice.
+    /// Tests that padding does not change where `try_step` begins: in `f32` up to four variables,
+    /// and in `f64` beyond.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {
         let mut text = String::new();

@@ -60,14 +60,14 @@ impl TestedMap {
         Self::new(name, &system, parameters).expect("the generator writes fields that can be run")
     }
 
-    /// Lets parameters be drawn from the whole range of floats.
+    /// Makes trials draw parameters from the whole range of floats.
     pub(crate) fn of_odd_temper(mut self) -> Self {
         self.target.is_odd = true;
         self
     }
 }
 
-/// Returns the value of the k-th parameter, or a number that makes zero divisors unlikely.
+/// Returns the given value, or for the k-th parameter a number that makes zero divisors unlikely.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),

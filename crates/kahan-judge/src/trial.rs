@@ -15,7 +15,7 @@ use super::tally::{Cell, Failure, Tally};
 pub(crate) struct Trials<'a, T> {
     targets: Vec<&'a Target>,
     fixed: Vec<Vec<Option<T>>>,
-    /// The indices of the targets that have poles.
+    /// The indices of the systems whose maps have poles.
     with_poles: Vec<usize>,
     with_removable_poles: Vec<usize>,
     strata: u64,
@@ -30,10 +30,10 @@ pub(crate) struct PreparedTrials<'a, T> {
 pub(crate) struct Trial<'a, T> {
     index: u64,
     target: &'a Target,
-    /// The index of the trial's target.
+    /// The index of the tested system.
     place: usize,
     inputs: Inputs<T>,
-    /// The exact trial, if all inputs are finite.
+    /// The exact inputs and the exact step, if all inputs are finite.
     known: Option<ExactTrial>,
 }
 
@@ -43,7 +43,7 @@ struct ExactTrial {
     exact: Option<Box<dyn ExactStep>>,
 }
 
-/// Returns the number of trials of one scalar, including special inputs.
+/// Adds the trials with subnormal inputs, nonfinite inputs and large steps to `trials`.
 pub(crate) fn with_special_inputs(trials: u64) -> u64 {
     trials + 3 * special(trials)
 }
@@ -110,7 +110,7 @@ impl<'a, T: Float> Trials<'a, T> {
         Trial { index, target, place, inputs, known }
     }
 
-    /// Returns the index of the target of a trial, and the arguments of its step.
+    /// Returns the index of a trial's system, and the arguments of its step.
     pub(crate) fn inputs(&self, index: u64) -> (usize, Inputs<T>) {
         let (regime, place) = self.stratum(index);
         // Trials with neighbouring indices get independent random streams.
@@ -122,8 +122,8 @@ impl<'a, T: Float> Trials<'a, T> {
         )
     }
 
-    /// Returns the regime and the target of a trial. Successive trials cycle through regimes, then
-    /// through targets.
+    /// Returns the regime of a trial and the index of its system. Successive trials cycle through
+    /// regimes, then through systems.
     fn stratum(&self, index: u64) -> (Regime, usize) {
         let (regime, turn) = match index.checked_sub(self.strata) {
             Some(special) => {

@@ -100,10 +100,10 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
 
 const NARROWEST: usize = 16;
 
-/// Distributes a width over columns. Narrow columns keep their width; others share the rest.
+/// Distributes a width over columns. Wide columns divide equally what narrow columns leave.
 fn shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
-    // The share decreases in every pass except the final one, so the loop ends.
+    // Every pass but the last decreases `share`, so the loop ends.
     loop {
         let wide = widths.iter().filter(|&&one| one > share).count();
         let narrow: usize = widths.iter().filter(|&&one| one <= share).sum();

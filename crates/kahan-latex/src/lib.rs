@@ -1,7 +1,7 @@
 //! LaTeX for the objects of `kahan-algebra`.
 //!
-//! In: names, numbers, polynomials and expressions. Out: a displayed formula for each, or lines
-//! that fit a page ([`breaking`]). The crate must not know where formulas are shown.
+//! Names, numbers, polynomials and expressions become displayed formulas, or lines that fit a page
+//! ([`breaking`]). The crate does not know where formulas are shown.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -52,7 +52,7 @@ impl Notation for Latex {
         }
     }
 
-    /// Writes a product with a dot before each later number, and thin spaces beside words.
+    /// Writes a product with dots before numbers that are not first, and thin spaces beside words.
     fn product(&self, factors: &[String]) -> String {
         let mut text = String::new();
         let mut before = "";
@@ -78,7 +78,7 @@ impl Notation for Latex {
 
     /// Writes a quotient with integer coefficients and its sign in front: (½ x y)/a is xy/(2a).
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
-        // Signs are not divided out, so that a denominator that begins with 1 still begins with 1.
+        // Dividing by a negative number could make a denominator begin with −1 instead of 1.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else {
             return self.polynomial(symbols, above);

@@ -11,7 +11,7 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// Returns the misprinted item and the correction: the pair that shares the most words.
+    /// Returns the misprinted item and the correction, which have the most words in common.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
@@ -27,7 +27,7 @@ fn items(statement: &str) -> Vec<String> {
     statement.split(';').map(|item| item.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
 }
 
-/// Counts the words that two items share at their beginnings and at their ends.
+/// Counts the common words at the beginnings and at the ends of two items.
 fn in_common(a: &str, b: &str) -> usize {
     let pairs = a.split(' ').zip(b.split(' '));
     let reversed = a.rsplit(' ').zip(b.rsplit(' '));

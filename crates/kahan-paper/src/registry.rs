@@ -112,7 +112,7 @@ impl Paper {
         Established { outcome, detail }
     }
 
-    /// Returns the definitions that a claim may use: general ones, and those of field and claim.
+    /// Returns the definitions that a claim may use: general ones, those of the field, and its own.
     pub(super) fn definitions(
         &self,
         claim: &Claim,

@@ -153,7 +153,7 @@ mod tests {
         assert_eq!(found(&grid_engine), None);
     }
 
-    /// If the tasks of an array start processes, the processes cover each shard once.
+    /// Tests that processes, which the tasks of an array start, cover each shard once.
     #[test]
     fn ranks_within_tasks_are_shards_of_their_own() {
         let mut shards = Vec::new();

@@ -1,7 +1,7 @@
 //! Sweeps: runs of Kahan's maps for many initial states, parameters and ε, on any number of
 //! machines.
 //!
-//! In: a plan in TOML ([`Plan`]). Out: one Parquet file, whose bytes depend only on the plan. The
+//! A plan in TOML ([`Plan`]) determines one Parquet file, whose bytes depend only on the plan. The
 //! rows are computed in parts, which are fixed ranges of indices, and then merged.
 
 mod command;

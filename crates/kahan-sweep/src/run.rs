@@ -36,7 +36,7 @@ pub(crate) enum RunEnd {
     Interrupted,
 }
 
-/// The interval between journal entries, and the longest time without handing over rows.
+/// The interval between journal entries, and the longest time for which a thread keeps its rows.
 const NOTED: Duration = Duration::from_secs(8);
 
 /// The message of `expect` on locks, which are never poisoned.
@@ -62,7 +62,7 @@ impl Run<'_> {
                 Some(Ok(_)) => {
                     let rows = self.plan.part(index);
                     (self.progress)(rows.end - rows.start);
-                    // Another process may have finished the part in the meantime.
+                    // If another process has finished the part, temporary files may remain.
                     part.tidy();
                     continue;
                 }
@@ -132,7 +132,7 @@ impl Run<'_> {
     }
 }
 
-/// The work of a thread between two times at which it hands over its rows.
+/// The work of a thread until it hands over its rows.
 struct ThreadTurn<'a> {
     stop: &'a AtomicBool,
     begun: Instant,
@@ -141,7 +141,7 @@ struct ThreadTurn<'a> {
 }
 
 impl Watch for ThreadTurn<'_> {
-    /// Stops on request at once, and after the time limit at the end of a block of rows.
+    /// Stops at once on request. After the time limit, stops at the end of a block of rows.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         let are_made = self.done.swap(progress.done, Ordering::Relaxed) < progress.done;
         let is_over = are_made && self.begun.elapsed() > NOTED;

@@ -88,7 +88,7 @@ fn elsewhere(arguments: &[String]) -> String {
         let is_plain = !word.is_empty() && word.chars().all(is_plain);
         if is_plain { word.clone() } else { format!("'{}'", word.replace('\'', r"'\''")) }
     });
-    // Options without a command belong to `kahan verify`.
+    // Options without a command are options of `kahan verify`.
     let verify = arguments[0].starts_with('-').then(|| "verify".to_owned());
     let words: Vec<String> = verify.into_iter().chain(quoted).collect();
     let words = words.join(" ");

@@ -1,6 +1,6 @@
 //! Clebsch's case (1871) of a rigid body in an ideal fluid, with angular momentum m and linear
 //! momentum p. The block states Kirchhoff's equations with the energy
-//! `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2`. The flow has four quadratic integrals, the map four
+//! `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2`. The flow has four quadratic integrals. The map has four
 //! integrals of higher degree (Petrera, Pfadler and Suris, arXiv:0808.3345), of which only H is
 //! short. `kahan discover` finds H (up to w3 p.p), the density and a long second integral.
 

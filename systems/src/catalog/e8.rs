@@ -1,7 +1,8 @@
-//! E8 of Hone and Petrera (Section 6), with two Lie-Poisson brackets. At eps = 0, `H = x e^(-y/x)`,
-//! `K = x z + y^2` and `c = -e^(-y/x)/x` (erratum A2). The block claims the density, which the
-//! paper omits. The map has the integral `y/x + digamma(1/2 + u)` with `u = 1/(2 eps x)`, and a
-//! second integral that is a series.
+//! E8 of Hone and Petrera (Section 6). The flow has the integrals `H = x e^(-y/x)` and
+//! `K = x z + y^2`, and is `-P dK = -(1/c) Q dH` with two Lie-Poisson brackets P and Q and
+//! `c = -e^(-y/x)/x` (erratum A2). The block claims the density, which the paper omits. The map has
+//! the integral `y/x + digamma(1/2 + u)` with `u = 1/(2 eps x)`, and a second integral that is a
+//! series.
 
 mod flow;
 mod integrals;

@@ -62,5 +62,5 @@ pub const ENTRY: Entry = Entry::new(
     ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
 ]);
 
-/// The source of an integral that `kahan discover` prints combined with other integrals.
+/// The source of an integral that was found in a longer form, and simplified by other integrals.
 const FOUND_TIDIED: &str = "found by kahan discover, then simplified by the other integrals";

@@ -14,7 +14,7 @@ pub trait ReciprocalFlow<T>: Sized {
     /// Returns the constant β of the trajectory through a point.
     fn beta(x: T, y: T) -> T;
 
-    /// Returns the point of the trajectory at T = t + α, which is `time`.
+    /// Returns the point of the trajectory at `time` = T = t + α.
     fn point(trajectory: &ReciprocalTrajectory<Self, T>, time: T) -> SVector<T, 3>;
 }
 
@@ -55,7 +55,7 @@ pub trait ReciprocalMap<T>: Sized {
     /// Returns the value β of the integral Ĥ. `divisor` is 1 − ε²x².
     fn integral(x: T, y: T, divisor: T) -> T;
 
-    /// Returns the point of the orbit at 2N = 2(n + τ), which is `double`.
+    /// Returns the point of the orbit at `double` = 2N = 2(n + τ).
     fn point(orbit: ReciprocalOrbit<Self, T>, double: T) -> SVector<T, 3>;
 }
 

@@ -63,8 +63,9 @@ pub(super) fn cos_pi<T: Real>(x: &T) -> T {
     (T::pi() * (T::half() - rest.abs())).sin()
 }
 
-/// Returns Γ(x) = √(2π) x^(x−1/2) e^(−x) exp Σ B₂ₘ/(2m(2m−1) x^(2m−1)). The series is used at x +
-/// n, and Γ(x+1) = xΓ(x) leads back to x. For x < 1/2, Γ(x)Γ(1−x) = π/sin πx is used.
+/// Returns Γ(x) = √(2π) x^(x−1/2) e^(−x) exp Σ B₂ₘ/(2m(2m−1) x^(2m−1)) with Bernoulli numbers B₂ₘ.
+/// The series is used at a large x + n, and Γ(x+1) = xΓ(x) leads back to x. For x < 1/2, Γ(x)Γ(1−x)
+/// = π/sin πx is used.
 pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();
@@ -83,8 +84,9 @@ pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     (T::from_int(2) * T::pi()).sqrt() * power * (series - large).exp() / descent
 }
 
-/// Returns ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)). The series is used at x + n, and ψ(x+1) =
-/// ψ(x) + 1/x leads back to x. For x < 1/2, ψ(x) = ψ(1−x) − π cot πx is used.
+/// Returns ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)) with Bernoulli numbers B₂ₘ. The series is used
+/// at a large x + n, and ψ(x+1) = ψ(x) + 1/x leads back to x. For x < 1/2, ψ(x) = ψ(1−x) − π cot πx
+/// is used.
 pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();

@@ -17,7 +17,7 @@ pub(crate) fn asymptotic_start<T: Real>(size: &T) -> i64 {
     2 * asymptotic_from::<T>() + 4 * size.abs().to_f64().ceil() as i64
 }
 
-/// Returns the number of powers that are needed from [`asymptotic_start`] on.
+/// Returns the number of powers that the expansions need for N from [`asymptotic_start`] on.
 fn order<T: Real>() -> usize {
     T::DIGITS / 2 + 5
 }

@@ -92,7 +92,7 @@ fn the_table_of_operation_counts_is_the_committed_one() {
 }
 
 /// The number of operations of careful manual code with the shortest critical path and one
-/// reciprocal (two for E5). Products of ε and parameters are prepared.
+/// reciprocal (two for E5). Multiplications of ε and parameters are done before the step.
 ///
 /// In the comments, e = ε, d = 2ε, X = e·x, Y = e·y, Z = e·z, and i = 1/D for the denominator D.
 /// The increments of the variables are the numerators n (or n, m; n₁, n₂, n₃) multiplied by i.

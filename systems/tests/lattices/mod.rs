@@ -1,4 +1,5 @@
-//! Tests of families. Chains must equal plain systems of the catalog, and sums must be conserved.
+//! Tests families: rings of three and four sites equal systems of the catalog, and sums are
+//! conserved.
 
 use std::ops::Range;
 

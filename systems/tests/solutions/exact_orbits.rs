@@ -78,7 +78,7 @@ pub(crate) fn assert_on_orbit(
         let (value, expected) = (at(*n), precise(point));
         let size = norm(&expected);
         for i in 0..3 {
-            // A lower bound on the size allows the point 0, which is fixed.
+            // The fixed point 0 has size 0, so a lower bound replaces the size.
             let floor = if size > ten_to_minus(200) { size } else { ten_to_minus(200) };
             assert_close_above(&value[i], &expected[i], digits, &floor, &format!("{what}, n = {n}"));
         }
@@ -101,10 +101,10 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
     }
 }
 
-/// Returns the largest error of an `f64` solution, in units of 2⁻⁵² of the point's norm times the
+/// Returns the largest error of an `f64` solution, divided by 2⁻⁵², by the point's norm and by the
 /// condition. The solution is compared with 8 backward and 12 forward steps of the map in 256 bits.
 ///
-/// The condition is (1 + |argument|) max(1, |ε| rate norm). The argument (T, v or N) of a solution
+/// The condition is (1 + |argument|)·max(1, |ε|·rate·norm). The argument (T, v or N) of a solution
 /// is rounded, and large points are near poles. The rate is 1 for systems without coefficients.
 pub(crate) fn ulps<M>(
     map: M,

@@ -1,4 +1,4 @@
-//! Compares the rational solutions exactly with orbits and equations.
+//! Tests that rational solutions and recurrences equal exact orbits.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::{Integrals, KahanMap};

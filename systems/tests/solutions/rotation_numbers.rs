@@ -78,8 +78,6 @@ fn variables_of_e4_turn_as_their_elliptic_functions() {
     for start in starts(10) {
         let solution = e4::Solution::through(&precise(start), &Float256::from(EPS)).expect("no fixed point");
         let Some(turns) = half_turn(&solution) else { continue };
-        // x and y are half the sum and half the difference of two elliptic functions; z is a single
-        // one.
         for (_, found, error) in observed(&E4, start) {
             assert!(distance(found, turns) < 1e-12, "{start} {found} {turns} {error}");
             compared += 1;

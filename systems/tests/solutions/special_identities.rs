@@ -1,4 +1,4 @@
-//! Tests identities between values that are computed in different ways.
+//! Tests identities of special functions, whose two sides are computed in different ways.
 
 use kahan_core::num_traits::One;
 use kahan_systems::special::{

@@ -14,7 +14,7 @@ const POINTS: usize = 1000;
 
 type Point = SVector<f64, 3>;
 
-/// Draws the figure. `None` if the data lie outside the domain of the elliptic solution.
+/// Draws the orbit of dE4. Returns `None` if no elliptic solution passes through its initial state.
 pub(super) fn plate() -> Option<FigureEntry> {
     let number = |&(p, q): &(i64, i64)| p as f64 / q as f64;
     let [x, y, z] = DE4.start else { return None };
@@ -76,7 +76,7 @@ fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Po
     .inline()
 }
 
-/// Draws the curve in a box. Points near the viewer are larger.
+/// Draws the orbit and the level curve in a box. Points near the viewer are larger.
 fn in_space(orbit: &[Point], curve: &[Point]) -> Markup {
     let axis = |label: &str, k: usize| NumberLine::around(label, curve.iter().map(|point| point[k]));
     let cloud = |colour, mark, points: &[Point]| {

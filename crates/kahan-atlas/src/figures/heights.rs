@@ -1,4 +1,4 @@
-//! Plots heights along exact orbits, and heights divided by their growth.
+//! Plots the heights of exact orbits, and heights divided by a power of the step number.
 
 use maud::{Markup, html};
 
@@ -14,7 +14,7 @@ fn drawing(description: &str, axes: [&str; 2], series: Vec<Series>) -> Markup {
     Plot::around(description, axes, series).drawing().inline()
 }
 
-/// Plots heights against the step number n on logarithmic scales; nᵏ is a line of slope k.
+/// Plots log h against log n for heights h after n steps. If h grows like nᵏ, the slope is k.
 fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
     drawing(description, ["log n", &format!("log h({of})")], series)
 }
@@ -23,7 +23,7 @@ fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
     log_log(description, "xₙ", vec![Series::new("", colour, mark, x.log_log())])
 }
 
-/// Plots log(h(xₙ)/nᵏ) against n for the logarithmic height h, with a dashed line at its limit.
+/// Plots log(h(xₙ)/nᵏ) against n for logarithmic heights h, and a dashed line at log `value`.
 fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
     let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
     let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));

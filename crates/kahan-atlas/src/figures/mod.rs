@@ -1,4 +1,4 @@
-//! The figures of the paper and two more figures, drawn from orbits computed for this page.
+//! The figures of the paper and two more figures. The atlas computes the orbits that they show.
 
 mod curve;
 mod heights;

@@ -15,7 +15,7 @@ pub(super) struct Orbit<'a> {
     pub(super) measured: &'a Measurement,
 }
 
-/// The logarithmic heights h₀, h₁, … of one component.
+/// The logarithmic heights h₀, h₁, … of one variable along an orbit.
 pub(super) struct Heights(pub(super) Vec<f64>);
 
 impl Heights {
@@ -47,7 +47,7 @@ impl Heights {
         slope(self.pairs())
     }
 
-    /// Returns the leading coefficient of a parabola through three heights: the first, middle and
+    /// Returns the coefficient of n² in the parabola through three heights: the first, middle and
     /// last height of the second half of the orbit.
     pub(super) fn half_second_difference(&self) -> f64 {
         let step = self.last().0 / 4;
@@ -101,7 +101,7 @@ impl<'a> Orbit<'a> {
 /// Returns the paper's name of the map, for example `dE3` or `Lotka–Volterra map`.
 fn map_name(figure: &Figure) -> String {
     let name = find(figure.system).map_or(figure.system, |entry| entry.name);
-    // The paper writes dE3 for the map of E3.
+    // Only E1 to E9 have a structure. The paper calls their maps dE1 to dE9.
     if structure(figure.system).is_some() { format!("d{name}") } else { format!("{name} map") }
 }
 

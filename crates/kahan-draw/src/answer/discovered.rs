@@ -72,7 +72,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["fixed".to_owned(), fixed.join(", ")]);
     }
     rows.push(["degrees of iterates".to_owned(), listing(&report.degrees)]);
-    // Without relations, all monomials on an orbit are independent, so only the degree is shown.
+    // If no relation holds on an orbit, the table shows only the degree up to which this is known.
     let hilbert = report.hilbert.as_ref();
     if let Some(hilbert) = hilbert.filter(|hilbert| hilbert.is_full()) {
         rows.push(["relations on an orbit".to_owned(), format!("none of degree ≤ {}", hilbert.degree())]);
@@ -83,7 +83,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["  of all".to_owned(), listing(&hilbert.full)]);
     }
     let structure = &report.structure;
-    // Higher degrees were not searched, so an empty list would prove nothing.
+    // Integrals of higher degree were not searched, so an empty list would prove nothing.
     let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
     if !of_flow.is_empty() {
         rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);
@@ -92,7 +92,7 @@ pub fn numbers(found: &Discovered) -> Table {
     Table::new("Numbers of the search", ["what", "found"], rows.into_iter().map(Vec::from))
 }
 
-/// Returns a state and its image as vectors in a notation.
+/// Returns a state and its image under the map, written as vectors in the given notation.
 #[must_use]
 pub fn states_and_images(report: &Report, notation: &dyn Notation) -> [String; 2] {
     let states = report.variables.iter();
@@ -103,8 +103,8 @@ pub fn states_and_images(report: &Report, notation: &dyn Notation) -> [String; 2
     ]
 }
 
-/// Says which quotients of a basis's coefficients are integrals, and how many points determine the
-/// coefficients. The text `mark` encloses each quotient.
+/// Says which quotients of a basis's coefficients c₁, c₂, … are integrals, and how many points
+/// determine the coefficients. The text `mark` is put on both sides of each quotient.
 #[must_use]
 pub fn evaluation(basis: &Basis, notation: &dyn Notation, mark: &str) -> String {
     let quotient = |(above, below): (usize, usize)| {

@@ -1,5 +1,4 @@
-//! Shows answers as HTML, and as tables that text output also prints. Commands are deliberately
-//! absent.
+//! Shows answers as HTML, and as tables that text output also prints.
 
 mod discovered;
 mod lifted;

@@ -96,7 +96,7 @@ pub fn convergence(observed: &Observed) -> Option<String> {
     })
 }
 
-/// Explains an orbit that ended before the requested steps.
+/// Explains why an orbit ended before the requested number of steps.
 #[must_use]
 pub fn out_of_range(observed: &Observed) -> Option<String> {
     let Observed { system, steps, end, why, .. } = observed;
@@ -131,10 +131,9 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Writes the digits of a value that an error of this size leaves unchanged.
+/// Writes a value to the decimals that its error leaves unchanged.
 fn known(value: f64, error: f64) -> String {
     let places = -libm::log10(error).floor();
-    // Eight digits are enough, also without an error estimate.
     if !(value.is_finite() && (..=8.0).contains(&places)) {
         return number(value);
     }

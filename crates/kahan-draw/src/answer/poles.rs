@@ -1,11 +1,11 @@
-//! A table of singularity patterns. A pattern is a curve that the map contracts or sends to
-//! infinity, and its images.
+//! A table of singularity patterns. A pattern consists of a curve, which the map contracts or sends
+//! to infinity, and of the images of the curve.
 
 use kahan_study::PolesFound;
 
 use crate::document::Table;
 
-/// Longer polynomials are shown by degree and size. The length counts characters.
+/// The greatest number of characters of a polynomial that is shown in full.
 const LONGEST: usize = 1000;
 
 /// Returns a table with one row for each pattern.

@@ -1,4 +1,4 @@
-//! HTML for the integrator settings of one scene.
+//! Shows integrator settings with their prices and errors.
 
 use kahan_study::trade::{Choice, Measured, Traded};
 use maud::{Markup, html};

@@ -42,7 +42,7 @@ pub fn formulas(sheet: &FormulaSheet) -> Markup {
     }
 }
 
-/// Writes a claim with its condition, source and formulas, then the text `besides`.
+/// Writes a claim with its condition, source and formulas, followed by the text `besides`.
 pub fn claim(claim: &ClaimShown, variables: usize, besides: &Markup) -> Markup {
     let is = |kind: ClaimKind| claim.kind == kind.keyword();
     let (kind, index) = match &claim.name {

@@ -32,7 +32,7 @@ pub fn style_sheet() -> String {
     [&variables(), include_str!("style.css"), &style(Theme::Viewer)].concat()
 }
 
-/// Returns a page. A link at the top skips to the part with this anchor and name.
+/// Returns a page. A link at the top leads to the main part, which is given by anchor and name.
 pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
     let document = html! {
         (DOCTYPE)

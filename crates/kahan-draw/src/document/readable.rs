@@ -18,7 +18,7 @@ const GREEK: [(&str, char); 13] = [
     ("zeta", 'ζ'),
 ];
 
-/// Replaces names, indices, powers and signs, for example `alpha1` by α₁ and `2^-100` by 2⁻¹⁰⁰.
+/// Writes names, indices, powers and signs in Unicode, for example α₁ for `alpha1`.
 pub fn readable(text: &str) -> String {
     let mut readable = String::with_capacity(text.len());
     let mut rest = text;
@@ -74,7 +74,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     }
     let whole = digits(text);
     let decimals = digits(text[whole.len()..].strip_prefix('.')?);
-    // Section numbers have one decimal and stay unchanged.
+    // A number with one decimal may be a section number, and stays unchanged.
     if whole.is_empty() || decimals.len() < 2 {
         return None;
     }

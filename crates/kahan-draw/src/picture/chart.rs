@@ -1,4 +1,4 @@
-//! Charts of an observable over one range or two.
+//! Charts of an observable over one or two axes of equally spaced values.
 
 use kahan_latex::symbol;
 use kahan_study::{
@@ -8,10 +8,10 @@ use kahan_study::{
 use super::{Picture, PictureOptions};
 use crate::plot::{Grid, Mark, NumberLine, Plot, Series, TickKind};
 
-/// Values of an observable over one range or two.
+/// The values of an observable over one or two axes of equally spaced values.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// The ranges. The first range is the abscissa.
+    /// The axes. The first axis is the abscissa.
     pub axes: Vec<Axis>,
     /// The values, row by row from below. Empty cells are NaN.
     pub values: Vec<f64>,
@@ -23,13 +23,13 @@ pub struct Chart {
     pub is_logarithm: bool,
     /// Whether some values are lower bounds.
     pub is_lower_bound: bool,
-    /// The end of each cell's orbit and the number of its steps. The list is empty for rows of a
-    /// file.
+    /// For the orbit of each cell the kind of its end and the number of its steps. The list is
+    /// empty for rows of a file.
     pub ended: Vec<(String, i64)>,
     steps: Option<u64>,
 }
 
-/// Returns the logarithm to base 10. Numbers below `f64::EPSILON` count as `f64::EPSILON`.
+/// Returns the logarithm to base 10 of the larger of `value` and `f64::EPSILON`.
 fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { libm::log10(f64::EPSILON) } else { libm::log10(value) }
 }

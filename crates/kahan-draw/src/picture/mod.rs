@@ -1,7 +1,6 @@
 //! Pictures of answers.
 //!
-//! The input consists of answers, or of rows of orbits, and of options for the picture. Questions
-//! and time limits are deliberately absent.
+//! The input consists of answers, or of rows of orbits, and of options for the picture.
 
 mod chart;
 mod heights;
@@ -19,7 +18,7 @@ pub use trade::{trade, trade_canvas};
 
 use crate::plot::{Canvas, Drawing, NumberLine, Plot};
 
-/// Successive series use this many colours in turn. The sixth colour is grey, for references.
+/// Series are drawn in this many colours in turn. A sixth colour, grey, marks reference curves.
 const COLOURS: usize = 5;
 
 /// The appearance of a picture.
@@ -27,7 +26,8 @@ const COLOURS: usize = 5;
 pub struct PictureOptions {
     /// The canvas to draw on.
     pub sheet: Canvas,
-    /// The ends of some axes by name. Other axes show nearly all values.
+    /// Names of axes, each with the least and greatest value shown. Other axes show nearly all
+    /// values.
     pub windows: Vec<(String, [f64; 2])>,
     /// Whether lines join the points of an orbit.
     pub lines: bool,

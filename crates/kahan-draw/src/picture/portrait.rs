@@ -23,7 +23,7 @@ pub enum Coordinate {
         text: String,
         /// The compiled formula.
         formula: Formula,
-        /// The index of `t` among the variables of the formula. `None` if a column holds `t`.
+        /// The index at which `t` is inserted into the arguments. `None` if a column holds `t`.
         time: Option<usize>,
     },
 }
@@ -55,8 +55,8 @@ impl Coordinate {
         }
     }
 
-    /// Returns the coordinate at a point. The list `point` holds the values after the time in a
-    /// row.
+    /// Returns the coordinate at a point of an orbit at time t. The list `point` holds the
+    /// variables and integrals.
     fn value(&self, t: f64, mut point: Vec<f64>) -> f64 {
         match self {
             Coordinate::Time => t,
@@ -179,7 +179,7 @@ pub fn portrait(
 /// Chooses marks by the number of points. Orbits with few distinguishable positions get large dots.
 fn marks(visits: &[OrbitExtent], look: &PictureOptions) -> Vec<Mark> {
     const FEW: usize = 24;
-    /// More points need thin lines.
+    /// A line through more points than this is thin.
     const LINES: usize = 2000;
 
     let others = visits.iter().filter(|visits| visits.places > FEW);

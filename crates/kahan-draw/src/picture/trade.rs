@@ -13,7 +13,7 @@ pub fn trade_canvas() -> Canvas {
     Canvas::page(720, 480)
 }
 
-/// Draws all settings with useful errors.
+/// Draws all settings whose error is at most 10.
 #[must_use]
 pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
     const LARGEST: f64 = 10.0;

@@ -53,7 +53,7 @@ impl Drawing {
         let Canvas { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // Printers have fonts like these two, with equal widths of letters.
+        // Printers have fonts whose letters are as wide as those of Helvetica and Arial.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
@@ -84,7 +84,7 @@ impl Drawing {
 /// The reason why a drawing cannot become a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DrawingFileError {
-    /// The file name's extension belongs to no format.
+    /// No format has the extension of the file name.
     Ending,
     /// This build has no renderer for the format.
     NotBuilt(Format),
@@ -147,11 +147,11 @@ impl Format {
 
 impl Canvas {
     const INCH: f64 = 300.0;
-    /// The pixels of a picture that fills a column in print (86 mm wide).
+    /// The width and height in pixels of a picture that fills a printed column of 86 mm.
     pub const COLUMN: (u32, u32) = (1016, 762);
 
-    /// Makes the canvas of a file. On screens, text is legible on telephones. In print, 300 pixels
-    /// are an inch.
+    /// Makes the canvas of a file. On screens the text is large enough for telephones. In print,
+    /// 300 pixels are an inch.
     #[must_use]
     pub fn new(pixels: (u32, u32), theme: Theme) -> Self {
         let (width, height) = (f64::from(pixels.0), f64::from(pixels.1));
@@ -174,7 +174,7 @@ impl Canvas {
         }
     }
 
-    /// Returns width and height for an SVG file. Prints are measured in millimetres.
+    /// Returns the width and height of an SVG file, in millimetres for print and else in pixels.
     fn lengths(&self) -> [String; 2] {
         const MILLIMETRES: f64 = 25.4;
         [self.pixels.0, self.pixels.1].map(|pixels| match self.theme {

@@ -32,7 +32,7 @@ pub struct Grid {
     pub note: String,
 }
 
-/// One further index is transparent, for empty cells.
+/// The number of colours in the palette. The index after the last colour means transparent.
 const COLOURS: usize = 255;
 const COLUMN: [f64; 2] = [12.0, 26.0];
 const NAME: f64 = 28.0;
@@ -110,7 +110,7 @@ fn png(columns: usize, rows: usize, cells: &[u8]) -> Result<Vec<u8>, png::Encodi
     let mut encoder = png::Encoder::new(&mut file, columns as u32, rows as u32);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
-    // Enlarged rows are repeated, so their differences are zero.
+    // Rows are repeated to enlarge cells, so most differences from the row above are zero.
     encoder.set_filter(png::Filter::Up);
     encoder.set_palette(palette.chain(Rgb::default()).collect::<Vec<u8>>());
     encoder.set_trns([vec![255; COLOURS], vec![0]].concat());

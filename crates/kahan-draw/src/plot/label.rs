@@ -1,5 +1,5 @@
-//! Draws labels. Single letters are variables in italic. Superscripts and subscripts are drawn as
-//! small digits, because some fonts lack these characters.
+//! Draws labels. Single letters denote variables and are italic. Superscripts and subscripts are
+//! drawn as small digits, because some fonts lack these characters.
 
 use maud::{Markup, html};
 
@@ -55,7 +55,7 @@ enum FontStyle {
 }
 
 impl FontStyle {
-    /// Returns the distance below the baseline in units of the font size.
+    /// Returns how far the text lies below the baseline, as a multiple of the font size.
     fn drop(self) -> f64 {
         match self {
             FontStyle::Raised => -0.35,
@@ -102,7 +102,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
             }
         };
     }
-    // Programs disagree about the end of a label with several parts, but not about the start.
+    // Programs place the end of a label with several parts differently, so its start is placed.
     let before = match anchor {
         "start" => 0.0,
         "middle" => 0.5,

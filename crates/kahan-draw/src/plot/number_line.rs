@@ -1,13 +1,13 @@
-//! Axes with round ticks. A number is subtracted from values that share leading digits. Very large
-//! or small values are divided by a power of ten. The name of the axis states the number and the
-//! power.
+//! Axes with round ticks. If all values have equal leading digits, a number is subtracted from
+//! them. Very large or small values are divided by a power of ten. The name of the axis states the
+//! number and the power.
 
 use super::script::raised;
 
 /// An axis.
 #[derive(Clone, Debug)]
 pub struct NumberLine {
-    /// The label. Single letters are variables, as in `ln n`.
+    /// The label. Single letters denote variables, as in `ln n`.
     pub label: String,
     /// The least value shown.
     pub low: f64,
@@ -42,8 +42,8 @@ impl NumberLine {
         NumberLine { label: label.to_owned(), low, high, marks: TickKind::Round }
     }
 
-    /// Makes an axis that shows all finite values with small margins. Values that differ by
-    /// rounding errors count as equal.
+    /// Makes an axis that shows all finite values with small margins. Differences of the size of
+    /// rounding errors are ignored.
     #[must_use]
     pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         const ROUNDING: f64 = 1e-13;
@@ -99,7 +99,7 @@ impl NumberLine {
         libm::exp10(libm::log10(self.high - self.low).floor())
     }
 
-    /// Returns the number to subtract from values that share leading digits. Otherwise returns 0.
+    /// Returns the number to subtract from values with equal leading digits, otherwise 0.
     fn offset(&self) -> f64 {
         const SHARED: f64 = 1e4;
         let unit = self.unit();
@@ -132,7 +132,7 @@ impl NumberLine {
             steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
-        // The sort is stable, so coarse steps come first among choices with four to seven ticks.
+        // The sort is stable, so the coarsest step that gives at least four ticks comes first.
         marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
         let chosen = marked.iter().position(|ticks| fits(ticks));
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))

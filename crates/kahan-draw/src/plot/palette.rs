@@ -47,9 +47,9 @@ const CURVES: [Colour; 6] = [
     Colour::curve("--c6", "#6b7280", "#9aa3af"),
 ];
 
-/// The fill and stroke of one kind of element. Elements carry colours as attributes, because all
-/// programs read these. For [`Theme::Viewer`], a style sheet replaces light colours by dark
-/// colours.
+/// The fill and stroke of one kind of element. Colours are written as attributes of elements,
+/// because all programs read attributes. For [`Theme::Viewer`], a style sheet replaces light
+/// colours by dark colours.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint {
     class: &'static str,
@@ -176,7 +176,7 @@ mod tests {
                 assert!(contrast(one, paper) >= 4.5, "c{}", i + 1);
                 for (j, &other) in curves.iter().enumerate().skip(i + 1) {
                     for kind in KINDS {
-                        // The smallest visible difference is about a ninth of this.
+                        // The smallest visible distance is about 2.
                         let apart = distance(seen(one, kind), seen(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }

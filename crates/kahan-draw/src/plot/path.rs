@@ -48,7 +48,7 @@ pub(super) fn polyline(places: &[Place]) -> String {
     path
 }
 
-/// More dots would take more than about a megabyte of SVG.
+/// The number of dots beyond which close dots are merged. More would take over a megabyte of SVG.
 const MOST_DOTS: usize = 100_000;
 
 /// Returns the path of a dot at each position. A dot is a short line with round ends, because

@@ -40,7 +40,7 @@ pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, DrawingFileError> {
     use krilla::{Document, geom::Size, page::PageSettings};
     use krilla_svg::{SurfaceExt, SvgSettings};
 
-    /// A point is 1/72 inch, and a CSS pixel is 1/96 inch.
+    /// The number of points (1/72 inch) in a CSS pixel (1/96 inch).
     const POINTS: f32 = 0.75;
 
     let tree = read(svg)?;
@@ -84,7 +84,7 @@ mod tests {
                 pixels.pixels().iter().map(|pixel| (pixel.red(), pixel.green(), pixel.blue())).collect();
             assert_eq!(colours[0], paper);
             assert!(colours.iter().filter(|colour| **colour == curve).count() > 400, "the line");
-            // Dark pixels left of the vertical axis belong to letters.
+            // Left of the vertical axis, only letters are dark.
             let margin = colours.chunks(900).flat_map(|row| &row[..105]).filter(|colour| **colour != paper);
             assert!(margin.count() > 100, "letters");
         }

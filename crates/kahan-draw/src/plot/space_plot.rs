@@ -16,7 +16,8 @@ pub struct SpaceSeries {
     pub colour: usize,
     /// The style.
     pub mark: Mark,
-    /// The points in units of the axes. Points outside the axes are omitted and interrupt lines.
+    /// The points in the coordinates of the axes. Points outside the axes are omitted and interrupt
+    /// lines.
     pub points: Vec<[f64; 3]>,
 }
 
@@ -40,9 +41,9 @@ const LINE: f64 = 1.4;
 const THIN: f64 = 0.7;
 const TURN: f64 = 0.62;
 const TILT: f64 = 0.5;
-/// With this many depth layers, changes of line widths are invisible.
+/// The number of depth layers. Each layer has one line width.
 const LAYERS: usize = 24;
-/// A box with a larger ratio of lengths is stretched to height 1 and to a width of at most `BROAD`.
+/// The ratio of the longest to the shortest edge beyond which the box is stretched.
 const SLENDER: f64 = 4.0;
 const BROAD: f64 = 2.0;
 
@@ -69,12 +70,10 @@ impl View {
         let middle = axes.each_ref().map(|axis| axis.low + (axis.high - axis.low) / 2.0);
         let (short, long) =
             (lengths.into_iter().fold(f64::MAX, f64::min), lengths.into_iter().fold(0.0, f64::max));
-        // Returns the largest coordinates of the corners of a stretched box.
         let reach = |stretch: [f64; 3]| -> [f64; 3] {
             let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch)).map(f64::abs));
             corners.fold([0.0; 3], |far, corner| std::array::from_fn(|i| far[i].max(corner[i])))
         };
-        // The margins are for tick labels and for the name of an axis on the left.
         let left = 27.0 + (7.0 + widest(&axes[2])).max(14.0 + widest(&axes[1]) / 2.0);
         let right = RIGHT.max(12.0 + widest(&axes[0]) / 2.0);
         let (width, height) = (size.0 - left - right, size.1 - TOP - BOTTOM);
@@ -262,7 +261,7 @@ impl SpacePlot {
     }
 }
 
-/// Pairs of corners. Two axes are below the box, and one axis is on the left.
+/// The two corners that each axis joins. Two axes are below the box, and one axis is on the left.
 const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110)];
 const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
 const ANCHORS: [&str; 3] = ["middle", "middle", "end"];

@@ -1,4 +1,4 @@
-//! Tests of positions, labels and descriptions.
+//! Tests positions, labels and descriptions in drawings.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -35,7 +35,6 @@ fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     let (_, path) = svg.split_once(" d=\"").expect("a path");
     let path = path.split('"').next().expect("its end");
     assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 3), "{path}");
-    // The line to (99, 1) is clipped.
     assert!(path.contains("L466 "), "{path}");
 }
 
@@ -77,7 +76,6 @@ fn near_points_of_space_are_drawn_over_far_ones_and_no_width_jumps() {
         let shapes = shapes(&receding(mark), class);
         assert!(shapes.len() > 10, "{mark:?}: {shapes:?}");
         for pair in shapes.windows(2) {
-            // Widths grow from the back to the front, by less than 0.1 unit.
             let grows = pair[1].1 - pair[0].1;
             assert!((0.0..=0.1001).contains(&grows), "{mark:?}: {pair:?}");
         }
@@ -145,7 +143,6 @@ fn a_file_has_its_own_style_and_what_is_read_out() {
     let dark = on((900, 600), Theme::Dark);
     assert!(dark.contains("stroke=\"#2d8bb9\"") && dark.contains("fill=\"#14171b\""), "{dark}");
     assert!(["prefers-color-scheme", "var(", "#435bc6"].iter().all(|word| !dark.contains(word)), "{dark}");
-    // A flat canvas is widened until both axes have room.
     assert_eq!(Canvas::new((4000, 1000), Theme::Dark).view_box, (1040.0, 260.0));
 }
 
@@ -199,7 +196,8 @@ fn words(svg: &str) -> Vec<(String, Box)> {
     svg.split("<text").skip(1).map(element).collect()
 }
 
-/// Asserts that labels lie on the canvas without overlap, in at least six points in print.
+/// Asserts that labels lie on the canvas without overlap, and are at least six points high in
+/// print.
 fn has_room(drawing: &Drawing) {
     let svg = drawing.svg();
     let (across, upwards) = drawing.sheet.view_box;

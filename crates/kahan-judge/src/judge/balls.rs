@@ -139,7 +139,8 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
 
 /// Expands det A, row by row, as a polynomial in a random state or in ε.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
-    /// Unless cancellation is severe, so many bits give a root the precision of the longest scalar.
+    /// This number of bits gives roots the precision of the longest scalar, unless many digits
+    /// cancel.
     const BITS: u64 = 320;
     let n = equation.dimension();
     let chosen = random.below(n as u64 + 1) as usize;

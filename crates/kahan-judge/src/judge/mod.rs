@@ -40,8 +40,8 @@ pub(crate) trait ExactMap: Debug + Send + Sync {
         true
     }
 
-    /// Returns the denominator of the map as a polynomial in a random variable. For `is_removable`,
-    /// returns the removed factor instead.
+    /// Returns the denominator of the map as a polynomial in one variable, which is chosen at
+    /// random. For `is_removable`, returns the removed factor instead.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 

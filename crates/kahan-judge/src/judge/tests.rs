@@ -85,7 +85,6 @@ fn errors_are_told_from_both_sides_of_the_promise() {
     let judge = reduced(&kahan_systems::e3::ENTRY);
     let point: Vec<Dyadic> = [0.0, 0.0, 4.0, 0.125].iter().map(|&x| Dyadic::of(x).unwrap()).collect();
     let exact = judge.step(&point).unwrap();
-    // Every point of the axis x = y = 0 is fixed.
     let verdict =
         |z: f64| exact.judge(&f64::FORMAT, &[Dyadic::zero(), Dyadic::zero(), Dyadic::of(z).unwrap()]);
     let right = verdict(4.0);

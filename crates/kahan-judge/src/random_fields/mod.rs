@@ -102,7 +102,6 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
             Product(vec![draw.one(&factors).clone(), draw.state(states), draw.state(states)]),
             quotient(Product(vec![draw.state(states), draw.one(&factors).clone()]), k()),
         ];
-        // The first equation uses every parameter at least once.
         if i == 0 {
             terms.push(Sum(vec![a(), negated(b())]));
         }
@@ -125,7 +124,6 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
         if n > 4 {
             terms = vec![terms.swap_remove((draw.below(2) + i) % 3)];
         }
-        // The first equation uses both parameters at least once.
         if i == 0 {
             let difference = Sum(vec![Name("a"), negated(Name("b"))]);
             terms.push(Product(vec![difference, draw.state(states)]));
@@ -143,7 +141,6 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     let equation = |i: usize| {
         let state = |k: usize| Name(states[(start + i + k) % n]);
         let (x, y, z) = (state(0), state(1), state(2));
-        // Every spelling is used in turn.
         let first = match (i + 2 * n) % 5 {
             0 => negated(power(x.clone(), 2)),
             1 => Product(vec![x.clone(), power(Sum(vec![y.clone(), negated(z.clone())]), 1)]),
@@ -159,7 +156,6 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
             2 => negated(quotient(Product(vec![z.clone(), literal("1e2")]), literal("0.7"))),
             _ => quotient(literal("1_000"), literal("3")),
         };
-        // The cubic terms of x²y − x·y·x cancel.
         let cubic = Product(vec![power(x.clone(), 2), y.clone()]);
         let again = negated(Product(vec![x.clone(), y, x]));
         Sum(vec![first, cubic, second, again])

@@ -135,7 +135,8 @@ impl Draw {
         }
     }
 
-    /// Returns a divisor without states. More than three divisors would make expansions long.
+    /// Returns one of at most three divisors, which contain no states. More would make expansions
+    /// long.
     fn divisor(&mut self) -> String {
         const MOST: usize = 3;
         if self.divisors.len() < MOST {

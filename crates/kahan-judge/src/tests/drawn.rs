@@ -3,7 +3,7 @@
 use crate::random_fields::odd::{Draw, OddField, plain};
 
 pub(super) struct Drawn {
-    /// Lists the parameters of the whole chain before those of the sites.
+    /// The field or chain. Parameters of a whole chain come before those of its sites.
     pub(super) field: OddField,
     pub(super) of_sites: usize,
     /// The number of variables of a field, or the number of arrays of a chain.
@@ -31,7 +31,7 @@ pub(super) fn odd_chain(seed: u64, number: usize) -> Drawn {
     draw.offsets = reach;
     draw.take_parameters();
     let parameters = draw.parameters.clone();
-    // The first parameter belongs to the whole chain, and the others to the sites.
+    // The first parameter has a single value, and the others have a value for each site.
     draw.parameters.iter_mut().skip(1).for_each(|name| name.push_str("[i]"));
     let names = draw.states.clone();
     let equations: Vec<String> = names.iter().map(|name| format!("{name}[i]dot = {};", draw.sum())).collect();

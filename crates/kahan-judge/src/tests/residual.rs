@@ -1,8 +1,11 @@
 //! Tests results by the residual of the defining equation, for steps of many variables.
 //!
-//! Let b = A·x + 2εf. A result y is within its error bound if in every row i
+//! Let b = A·x + 2εf, and let u be the scalar's unit. A result y is within its error bound if, in
+//! every row i,
 //!
-//! |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ.
+//! |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ,
+//!
+//! where k is the number of entries of A in row i or in the widest row.
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! Tests lines, boxes and matrices for wide formulas.
+//! Tests how wide formulas are broken into lines, boxes and matrices.
 
 use super::{boxed, display, equation, lines, matrix, width_of};
 

@@ -41,7 +41,7 @@ use kahan_algebra::rational::Rational;
 pub enum Formula {
     /// An exact number.
     Number(Rational),
-    /// A state, a parameter, `eps`, or a defined or free name.
+    /// The name of a state, a parameter, a definition or an independent variable, or `eps`.
     Name(String),
     /// A sum of terms; `true` marks subtracted terms.
     Sum(Vec<(bool, Formula)>),

@@ -18,7 +18,7 @@ use super::model::Model;
 use super::numeric::Arithmetic256;
 use numerical::{agreement, decimal};
 
-/// The number of random points that are tried before a formula counts as undefined.
+/// A formula without a value at this many random points is regarded as undefined.
 const MOST_DRAWS: usize = 16;
 
 /// The number of decimals to which both sides must agree.
@@ -61,7 +61,8 @@ impl Identity<'_> {
     /// Checks the relation, and returns the evidence or the reason of a failure.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // Variables that replace functions may be dependent, so they cannot prove a difference.
+        // The variables that replace functions may depend on each other, so they prove no
+        // difference.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,

@@ -15,7 +15,7 @@ use super::{Evidence, Identity, MOST_DRAWS, words};
 
 /// The greatest number of terms of a formula that is expanded over ℚ.
 const MOST_TERMS: usize = 20_000;
-/// The greatest number of products of terms in an expansion over ℚ, which takes about a second.
+/// The greatest number of multiplications of terms in an expansion over ℚ, about a second's work.
 const MOST_WORK: u64 = 2_000_000;
 
 /// The number of exact points at which larger relations are checked.

@@ -6,7 +6,7 @@ use kahan_systems::registry::find;
 use crate::claim::Outcome;
 use crate::verdict::{OpenQuestion, Verdict, Verdicts};
 
-/// The least number of characters for which an excerpt of a statement is written.
+/// An excerpt of a statement is left out if there is room for fewer characters.
 const LEAST_SEEN: usize = 12;
 
 impl Verdicts {

@@ -90,7 +90,7 @@ fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     [vec!["Misprints: what is printed → what is right".to_owned()], aligned(&rows)].concat()
 }
 
-/// Writes `printed → right` in at most `room` characters, if necessary without common words.
+/// Writes `printed → right` in at most `room` characters. If necessary, common words are omitted.
 fn replaced(printed: &str, right: &str, room: usize) -> String {
     let (printed, right): (Vec<&str>, Vec<&str>) = (printed.split(' ').collect(), right.split(' ').collect());
     let first = printed.iter().zip(&right).take_while(|(a, b)| a == b).count();

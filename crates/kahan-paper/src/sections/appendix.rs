@@ -55,7 +55,7 @@ curve.pencil | the four singular quadrics of the pencil are different: the curve
     r1 != 0; r2 != 0; r3 != 0; r1 != r2; r1 != r3; r2 != r3
 ";
 
-/// Hirota's bilinear form. The names A1, B1, … belong to the next point.
+/// Hirota's bilinear form. The names A1, B1, … denote the values of A, B, … at the next point.
 const HOMOGENEOUS: &str = "
     x := (A + B)/(2*eps*D); y := (A - B)/(2*eps*D); z := C/(eps*D);
     X := (A1 + B1)/(2*eps*D1); Y := (A1 - B1)/(2*eps*D1); Z := C1/(eps*D1);

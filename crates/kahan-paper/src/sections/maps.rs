@@ -163,7 +163,7 @@ change.e9.inverse | Section 6, E9 with x and y exchanged and time multiplied by 
     next(z) = at(next(z), x, y, y, x, xi, 1/xi, eps, xi*eps)
 ";
 
-/// Removable poles: det A and the numerators of the map share a factor.
+/// Removable poles: det A and the numerators of the map have a common factor.
 const POLES: &str = "
 removable.e1 | Section 5, dE1 on the whole of 1 + eps x = 0, addition |
     at(detA, x, -1/eps) = 0; on(next(x), -1/eps, y, z) = 1/eps; on(next(y), -1/eps, y, z) = -y;

@@ -17,7 +17,7 @@ const WRITING: &str = ".results-";
 pub(crate) const RESULTS: &str = "results.parquet";
 
 /// Merges all parts of a folder into one file there, and returns the size of the file. If parts are
-/// missing, damaged or belong to another plan, fails with a reason for each.
+/// missing, damaged or from another plan, fails with a reason for each.
 pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Result<u64, Vec<String>> {
     let parts = || (0..plan.parts()).map(|index| Part::of(plan, index, folder));
     let missing: Vec<u64> = parts().filter(|part| !part.exists()).map(|part| part.index).collect();

@@ -27,7 +27,7 @@ mod keys {
     pub(super) const FLOATS: &str = "kahan.floats";
     pub(super) const COLUMNS: &str = "kahan.columns";
     pub(super) const SEED: &str = "kahan.seed";
-    /// The metadata keys that only parts have.
+    /// The following keys occur only in the metadata of parts.
     pub(super) const PART: &str = "kahan.part";
     pub(super) const CHECKSUM: &str = "kahan.crc32";
 }
@@ -45,9 +45,9 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
 /// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum UnusablePart {
-    /// The file is incomplete, altered, or belongs to a different part.
+    /// The file is incomplete, altered, or a different part.
     Damaged(String),
-    /// The file belongs to another plan, version or floating-point mode.
+    /// The file was written for another plan, version or floating-point mode.
     Foreign(String),
 }
 
@@ -68,7 +68,7 @@ pub(crate) struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// Names the part with this index in a folder.
+    /// Returns the part with this index in a folder, which need not exist yet.
     pub(crate) fn of(plan: &'a Plan, index: u64, folder: &Path) -> Self {
         Part { plan, index, path: folder.join(format!("part-{index:012}.parquet")) }
     }
@@ -219,7 +219,7 @@ fn put<W: Write + Send>(
 /// The digits that stand in the file while its checksum is computed.
 const NO_DIGITS: &str = "00000000";
 
-/// The CRC-32 of a whole file, in which the digits of the checksum count as zeros.
+/// The CRC-32 of a whole file, computed with zeros in place of the checksum's digits.
 struct Checksum {
     found: String,
     stated: Vec<u8>,

@@ -1,7 +1,7 @@
 //! Plans: a question over axes, its field, and the columns to write.
 //!
-//! In: a TOML text. All its mistakes are reported before anything runs. Out: the number of points,
-//! and the rows of any range of points.
+//! A plan is read from a TOML text, whose mistakes are all reported before anything runs. The plan
+//! determines the number of points, and the rows of any range of points.
 
 mod read;
 
@@ -18,7 +18,7 @@ use sha2::{Digest, Sha256};
 #[derive(Clone, Debug)]
 pub struct Plan {
     study: Study,
-    /// The question over axes. The last axis varies fastest; drawn axes vary faster still.
+    /// The question over axes. The last axis varies fastest, except that random draws vary faster.
     question: Question,
     points: u64,
     /// The number of rows of a part; the last part may have fewer.
@@ -91,7 +91,7 @@ impl Plan {
     fn to_json(&self) -> Value {
         let mut question = json!(self.question);
         let starts: Vec<String> = self.over().starts.iter().flatten().map(ToString::to_string).collect();
-        // The text holds a hash of the initial states, because every part repeats the text.
+        // Every part repeats this text, so it holds only a hash of the initial states.
         let count = self.over().starts.len();
         question["starts"] = match count {
             0 => json!([]),

@@ -1,4 +1,4 @@
-//! Tests the contents of rows, and initial states from files.
+//! Tests the rows of results, and sweeps that read initial states from files.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Kills, interrupts, launches and merges processes.
+//! Tests sweeps that are killed, interrupted, started by launchers, and merged.
 
 use std::fs;
 use std::process::Command;
@@ -28,7 +28,6 @@ fn bytes_do_not_depend_on_shards_threads_and_order() {
 
 #[test]
 fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
-    // A part takes about as long as the longer waits, so that early and late parts are killed.
     let plan = PLAN.replace("steps = 50", "steps = 100");
     let expected = undisturbed(&plan);
     let folder = folder(&plan);
@@ -140,15 +139,12 @@ fn what_does_not_belong_together_is_refused() {
     // A part is stored under the name of another part.
     fs::copy(second, first).expect("a part");
     assert!(said(&["--out", "r", "--merge"], 1).contains("another part under this name"));
-    // Running the command again repairs the part.
     done(folder.path(), &["--out", "r"]);
     assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
 
-    // Another plan is run in the same folder.
     fs::write(folder.path().join("plan.toml"), PLAN.replace("steps = 50", "steps = 51")).expect("a plan");
     assert!(said(&["--out", "r", "--merge"], 1).contains("belongs to another plan"));
     assert!(said(&["--out", "r"], 1).contains("belongs to another plan"));
-    // An equal plan is formatted differently.
     let other = PLAN.replace("\"1/2\"", "0.5").replace("seed = 3", "# The seed.\nseed=3");
     fs::write(folder.path().join("plan.toml"), other).expect("a plan");
     done(folder.path(), &["--out", "r", "--merge"]);

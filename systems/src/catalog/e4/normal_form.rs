@@ -49,8 +49,8 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// Maps a point to one whose x and y are negative if `wanted` returns `true` for z. If x is
-    /// zero, x and y are exchanged, because at modulus 1 the curve contains no point with x = 0.
+    /// Maps a point to one whose x and y have the signs `wanted(z)`, where `true` is negative. If x
+    /// is zero, x and y are exchanged, because at modulus 1 the curve contains no point with x = 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();

@@ -11,8 +11,8 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 ///
 /// * on the inner branch, |εz| < 1: s = (sn δ/cn δ) dn v/ε, d = k (sn δ/dn δ) cn v/ε, z = k sn δ sn
 ///   v/ε;
-/// * on the outer branch, |εz| > 1 (not in the paper; δ and κ are shifted by iK′): s = (−1)ⁿ cn
-///   v/(ε dn δ sn v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
+/// * on the outer branch, |εz| > 1 (not in the paper): s = (−1)ⁿ cn v/(ε dn δ sn v), d = (−1)ⁿ dn
+///   v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
 ///
 /// The map's symmetries, which change signs of x and y or map (x, y, z) to (y, x, −z), give the
 /// other orbits. The formula has xy > 0 on the inner branch, and xy < 0 on the outer branch. If

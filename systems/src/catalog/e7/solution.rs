@@ -7,7 +7,8 @@ use crate::solution::{OutOfDomain, shift_and_divisor, square_less_one};
 use crate::special::{Real, centered_gamma_ratio};
 
 /// An orbit of the map of E7 (Hone and Petrera, Section 6.1). With N = n + τ, β = 2εy₀, γ = 2εz₀,
-/// g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2), G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2) and a sum W_n, the point after n steps is
+/// g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2), G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2), M = j + τ and W_n = Σ_{0≤j<n} (2(M+1)−ξ)
+/// Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²), the point after n steps is
 ///
 ///   x = 1/(2εN), y = τβ g_n G₀/(2εN),
 ///   z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN).
@@ -57,9 +58,8 @@ impl<T: Real> Solution<T> {
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)
     }
 
-    /// Returns G₀² W_n with the constant G₀ of the formula for orbits. With M = j + τ, W_n =
-    /// Σ_{j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²). For n < 0, the sum over n ≤
-    /// j < 0 is subtracted. A recurrence gives the quotients of Γ without overflow.
+    /// Returns G₀² W_n with G₀ and W_n as in the formula for orbits. For n < 0, the sum over n ≤ j
+    /// < 0 is subtracted. A recurrence gives the quotients of Γ without overflow.
     fn scaled_sum(&self, n: i64) -> T {
         let Self { xi, tau, .. } = self;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };

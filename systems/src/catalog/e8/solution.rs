@@ -6,8 +6,9 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, shift_and_divisor};
 use crate::special::{Real, digamma};
 
-/// An orbit of the map of E8 (Hone and Petrera, Section 6.2, with erratum A3 corrected). With N =
-/// n + τ, β = 2εy₀, γ = 2εz₀, U_n = ψ(N+1/2) − ψ(τ+1/2) and a sum V_n, the point after n steps is
+/// An orbit of the map of E8 (Hone and Petrera, Section 6.2, with erratum A3 corrected). With
+/// N = n + τ, β = 2εy₀, γ = 2εz₀, U_n = ψ(N+1/2) − ψ(τ+1/2) and the sum V_n of [`sum`](Self::sum),
+/// the point after n steps is
 ///
 ///   x = 1/(2εN), y = (τβ − U_n)/(2εN),
 ///   z = τ[4n(n+2τ)(β²τ+β+γ) + 4τ²γ − γ]/(2ε(4τ²−1)N) − 4(4N²−1)V_n/(2εN).
@@ -64,9 +65,9 @@ impl<T: Real> Solution<T> {
         range.fold(T::zero(), |sum, j| sum + sign / (T::from_int(j) + middle))
     }
 
-    /// Returns V_n. With M = j + τ and U_j = ψ(M+1/2) − ψ(τ+1/2), V_n = Σ_{j<n} {1+2βτ +
-    /// U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)). For n < 0, the sum over n ≤ j
-    /// < 0 is subtracted.
+    /// Returns the sum V_n of the formula for orbits. With M = j + τ and U_j = ψ(M+1/2) − ψ(τ+1/2),
+    /// V_n = Σ_{0≤j<n} {1+2βτ + U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)). For n
+    /// < 0, the sum over n ≤ j < 0 is subtracted.
     pub fn sum(&self, n: i64) -> T {
         let Self { tau, beta, .. } = self;
         let two = T::from_int(2);

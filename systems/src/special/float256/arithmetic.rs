@@ -64,7 +64,7 @@ impl Scalar for Float256 {
         Self::from_rational(&c.to_ratio())
     }
 
-    /// Compares absolute values, as floats do. An undefined value is never the better pivot.
+    /// Compares absolute values. An undefined value is never the better pivot.
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.magnitude_exceeds(than)
     }

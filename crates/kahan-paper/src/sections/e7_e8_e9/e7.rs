@@ -32,7 +32,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y*(N + 1 - xi/2)/(N + xi/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + 2*xi*Y*next(Y)
 ";
 
-/// Claims about the solution. A name that ends in `.step` marks one step from any point.
+/// Claims about the solution. Names that end in `.step` mark claims about one step from any point.
 const SOLUTIONS: &str = "
 x | (ss), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 y | (ww), solution y_n |
@@ -110,7 +110,7 @@ K.series | the series for K_7, summed at xi = 41/2, where it converges fast, add
 K.value | K_7 at a point, addition | K7(3/7, 11/13, 23/47, 1/2, 19/17) ~ 0.9698134589166862554
 ";
 
-/// The parameters β and γ of Theorem 3, in terms of the parameters of formulas (ww) and (ew).
+/// The call `point(F)` is F at the initial state that the parameters τ, β and γ determine.
 const POINT: &str = "point(F) := on(F, 1/(2*eps*tau), beta/(2*eps), gamma/(2*eps))";
 const SPECIAL_CASES: &str = "
 parameters.beta1 | beta_1 at xi = 1 | point(y/x) = tau*beta

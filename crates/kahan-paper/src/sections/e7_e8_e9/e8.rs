@@ -36,7 +36,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y - 1/(N + 1/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + Y + next(Y) + 2*Y*next(Y)
 ";
 
-/// Claims about the solution. A name that ends in `.step` marks one step from any point.
+/// Claims about the solution. Names that end in `.step` mark claims about one step from any point.
 const SOLUTIONS: &str = "
 x | (b12), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 U | U_n as a sum | U(0) = 0; U(n + 1) = U(n) + 1/(N(n) + 1/2); U(4) = sum(j, 0, 3, 1/(j + tau + 1/2))

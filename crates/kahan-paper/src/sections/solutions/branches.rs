@@ -4,7 +4,7 @@ use super::super::super::claim::Claim;
 use super::super::text::read;
 use super::{Solution, solved};
 
-/// The solutions with δ and κ of Theorem 3 shifted by πi/2, and ν = iμ.
+/// The solutions of Theorem 3 after δ and κ are shifted by πi/2 and μ is replaced by ν = iμ.
 pub(super) static BRANCHES: [(Solution, [&str; 3]); 2] = [
     (
         Solution {
