@@ -13,7 +13,7 @@ const MOST_GATHERED: usize = 1024;
 impl Writer {
     /// Replaces each sum of constants before a product of states by a coefficient. Returns `None`
     /// if no sum can be gathered.
-    pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
+    pub(super) fn gather_coefficients(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
             return None;
         }
