@@ -9,7 +9,6 @@
 mod aarch64;
 pub(crate) mod advance;
 pub(crate) mod columns;
-mod each;
 mod grid;
 pub(crate) mod lanes;
 mod level;
@@ -20,6 +19,7 @@ pub(crate) mod register_pair;
 mod registers;
 mod scalar;
 mod sweep;
+mod trajectory_maps;
 #[cfg(target_arch = "x86_64")]
 mod x86_64;
 

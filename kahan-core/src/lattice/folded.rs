@@ -16,28 +16,28 @@ pub(super) enum EliminationOrder {
     /// The unknowns in the order 0, 1, 2, ….
     Natural,
     /// The n unknowns in the order 0, n−1, 1, n−2, ….
-    Folded,
+    FoldedBand,
 }
 
 impl EliminationOrder {
     fn unknown(self, place: usize, len: usize) -> usize {
         match self {
-            Self::Folded if place % 2 == 1 => len - 1 - place / 2,
-            Self::Folded => place / 2,
+            Self::FoldedBand if place % 2 == 1 => len - 1 - place / 2,
+            Self::FoldedBand => place / 2,
             Self::Natural => place,
         }
     }
 
     fn place(self, unknown: usize, len: usize) -> usize {
         match self {
-            Self::Folded if unknown >= len.div_ceil(2) => 2 * (len - 1 - unknown) + 1,
-            Self::Folded => 2 * unknown,
+            Self::FoldedBand if unknown >= len.div_ceil(2) => 2 * (len - 1 - unknown) + 1,
+            Self::FoldedBand => 2 * unknown,
             Self::Natural => unknown,
         }
     }
 }
 
-pub(super) struct Folded<T> {
+pub(super) struct FoldedBand<T> {
     order: EliminationOrder,
     len: usize,
     lower: usize,
@@ -73,7 +73,7 @@ impl<T: Scalar> BandRow<'_, T> {
     }
 }
 
-impl<T: Scalar> Folded<T> {
+impl<T: Scalar> FoldedBand<T> {
     /// Allocates for a band of these bandwidths, which is cyclic if `is_ring` is true.
     pub(super) fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         Self::in_stretches(len, is_ring, lower, upper, len)
@@ -90,7 +90,7 @@ impl<T: Scalar> Folded<T> {
     fn in_stretches(len: usize, is_ring: bool, lower: usize, upper: usize, stretch: usize) -> Self {
         let farthest = 2 * lower.max(upper);
         let (order, lower, upper) = if is_ring {
-            (EliminationOrder::Folded, farthest, farthest)
+            (EliminationOrder::FoldedBand, farthest, farthest)
         } else {
             (EliminationOrder::Natural, lower, upper)
         };
@@ -213,7 +213,7 @@ impl<T: Scalar> Folded<T> {
 mod tests {
     use std::vec::Vec;
 
-    use super::Folded;
+    use super::FoldedBand;
 
     /// Returns an entry of a band in which every third diagonal entry is 0; therefore rows must be
     /// exchanged.
@@ -221,7 +221,7 @@ mod tests {
         if offset == 0 && row % 3 == 1 { 0.0 } else { ((row * 7 + 3) as f64 * 0.1 + offset as f64).sin() }
     }
 
-    fn solved(folded: &mut Folded<f64>, len: usize, is_ring: bool, reach: isize) -> Vec<f64> {
+    fn solved(folded: &mut FoldedBand<f64>, len: usize, is_ring: bool, reach: isize) -> Vec<f64> {
         let solution = folded.solve(|unknown, row| {
             for offset in -reach..=reach {
                 let place = unknown as isize + offset;
@@ -237,9 +237,10 @@ mod tests {
     #[test]
     fn stretches_change_no_bit() {
         for (len, is_ring, reach) in [(1000, true, 1), (1000, false, 3), (777, true, 2), (40, true, 2)] {
-            let whole = solved(&mut Folded::new(len, is_ring, reach, reach), len, is_ring, reach as isize);
+            let whole =
+                solved(&mut FoldedBand::new(len, is_ring, reach, reach), len, is_ring, reach as isize);
             for stretch in [1, 7, 13, 64, 999] {
-                let mut folded = Folded::in_stretches(len, is_ring, reach, reach, stretch);
+                let mut folded = FoldedBand::in_stretches(len, is_ring, reach, reach, stretch);
                 // The second solution reuses the memory of the first.
                 for _ in 0..2 {
                     let parts = solved(&mut folded, len, is_ring, reach as isize);
@@ -252,7 +253,7 @@ mod tests {
     #[test]
     fn what_is_rarely_needed_takes_a_number_or_two_an_unknown() {
         let (len, reach) = (1_000_000, 17);
-        let folded = Folded::<f64>::with_little_memory(len, true, reach, reach);
+        let folded = FoldedBand::<f64>::with_little_memory(len, true, reach, reach);
         let numbers = [&folded.window, &folded.done, &folded.begun, &folded.solution].map(Vec::len);
         // There is one solution, and for every 64·35 unknowns a window of 2·17 + 1 rows of 4·17 + 2
         // numbers.

@@ -64,7 +64,7 @@
 //! a premise (for example k·u ≤ 1/25), and every input if nothing can underflow.
 
 mod formats;
-mod known;
+mod known_bounds;
 mod limit;
 mod number;
 mod operators;
@@ -74,8 +74,8 @@ mod pair;
 mod rules;
 
 #[cfg(feature = "std")]
-pub(crate) use known::KnownBounds;
-pub(crate) use known::backward_error;
+pub(crate) use known_bounds::KnownBounds;
+pub(crate) use known_bounds::backward_error;
 pub(crate) use limit::InputLimit;
 use number::MOST_UNDERFLOWS;
 pub(crate) use number::{Magnitude, Number, Range, power_of_two};
@@ -132,7 +132,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         // The exponent of the next power of two above the value.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
         let pair = BoundedPair::new(value, value.size());
-        Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.settled()
+        Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.tightened()
     }
 
     #[inline(always)]

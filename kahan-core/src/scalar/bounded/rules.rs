@@ -36,7 +36,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
             bits: self.bits.max(other.bits).saturating_add(1),
             ..Self::of(pair)
         }
-        .settled()
+        .tightened()
     }
 
     #[inline(always)]
@@ -48,14 +48,14 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
             bits: self.bits.saturating_add(other.bits),
             ..Self::of(pair)
         }
-        .settled()
+        .tightened()
     }
 
     /// Tightens the bound of a value v̂ with an error radius r. The magnitude m = |v̂| + r/u
     /// satisfies |v| ≤ m and |v̂ − v| ≤ γ₁·m after any cancellation, where v is the exact value and
     /// γ₁ is the rounding unit u. If r = 0, the value is exact.
     #[inline(always)]
-    pub(super) fn settled(self) -> Self {
+    pub(super) fn tightened(self) -> Self {
         let value = self.value();
         match value.radius() {
             None => self,
@@ -106,7 +106,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
             inverse,
             ratio,
         };
-        Some(quotient.settled())
+        Some(quotient.tightened())
     }
 
     /// Returns c/ε for a literal c and an ε that is an [ordinary input](Self::is_ordinary_input).

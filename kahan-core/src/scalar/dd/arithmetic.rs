@@ -10,7 +10,7 @@ use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
 use super::{Dd, extremes, moderate};
 
 /// An upper bound on leading sums and products. Below this bound all later additions stay finite.
-const ROOM: f64 = power_of_two(1022);
+const SUM_LIMIT: f64 = power_of_two(1022);
 
 /// The lower bound of operands whose quotients lose no bits. Such quotients lie between 2⁻⁹⁰⁰ and
 /// 2⁹⁰⁰.
@@ -19,7 +19,7 @@ const LARGE: f64 = power_of_two(450);
 
 #[inline(always)]
 fn has_room(x: f64) -> bool {
-    x.abs() < ROOM
+    x.abs() < SUM_LIMIT
 }
 
 #[inline(always)]
