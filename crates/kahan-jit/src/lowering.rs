@@ -22,9 +22,9 @@ pub(crate) enum ResultDestination {
 }
 
 /// The constant −0, of which only the sign bit is set. A negation flips this bit of a number.
-pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
+pub(crate) const SIGN_BIT: Instruction = Constant(Float::of(-0.0));
 
-/// Lowers a program. If the program negates a number, the constant [`SIGN`] is added to it.
+/// Lowers a program. If the program negates a number, the constant [`SIGN_BIT`] is added to it.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: ResultDestination) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
     // Unneeded operations are skipped, and no later operation reads their entry in `places`.
@@ -52,7 +52,7 @@ impl Lowering {
             Negate(a) => match self.lowered.operations()[a.0] {
                 Constant(number) => Constant(Float::of(-number.value())),
                 _ => {
-                    self.lowered.push(SIGN);
+                    self.lowered.push(SIGN_BIT);
                     operation
                 }
             },

@@ -32,7 +32,7 @@ impl<T: Float> Orbit<T> {
     /// # Panics
     /// If a state that the program reads has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
-        let ends = ends(program, shape);
+        let ends = state_destination(program, shape);
         let plan = RoundPlan { ends, keeps_constants: true };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         let [states, constants, steps, last_state, _] = GeneralRegister::ARGUMENTS;
@@ -89,7 +89,7 @@ impl<T: Float> ComposedOrbit<T> {
     /// # Panics
     /// If a state that the program reads has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
-        let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
+        let plan = RoundPlan { ends: state_destination(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         // The routine has only four arguments; the fifth register holds the address of the next
         // table entry.
@@ -127,7 +127,7 @@ impl<T: Float> ComposedOrbit<T> {
 
 /// Returns where states live between rounds. States live in registers if there are enough
 /// registers.
-fn ends(program: &Program, shape: Shape) -> ResultDestination {
+fn state_destination(program: &Program, shape: Shape) -> ResultDestination {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
     if program.outputs.len() <= room { ResultDestination::Carried } else { ResultDestination::InPlace }
 }
