@@ -8,7 +8,8 @@ pub(super) struct Uses {
     times: Vec<u32>,
     /// For each value, the range of its remaining uses in `times`.
     of: Vec<[usize; 2]>,
-    /// The index of the constant [`SIGN_BIT`], which negations read without naming it as an operand.
+    /// The index of the constant [`SIGN_BIT`], which negations read without naming it as an
+    /// operand.
     sign: Option<usize>,
 }
 

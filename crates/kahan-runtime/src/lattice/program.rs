@@ -156,7 +156,8 @@ impl Program {
     }
 
     /// Returns the position of an operand. Registers come first and constants last, with
-    /// [`SITES_PER_INSTRUCTION`] numbers each. Between them come inputs, one array or parameter after the other.
+    /// [`SITES_PER_INSTRUCTION`] numbers each. Between them come inputs, one array or parameter
+    /// after the other.
     fn place(&self, operand: Operand) -> OperandOffset {
         let (numbers, registers) = match operand {
             Operand::Register(k) => (k * SITES_PER_INSTRUCTION, 0),
