@@ -18,9 +18,9 @@ use crate::{Constant, Level};
 
 pub use points::{points, velocities};
 
-const PIVOTS: usize = 8;
+const PIVOTS_TOGETHER: usize = 8;
 /// The number of matrix columns that are reduced in one loop.
-const COLUMNS: usize = 4;
+const COLUMNS_TOGETHER: usize = 4;
 
 /// Returns the number of coefficients of a component of a field. A component has a constant, one
 /// coefficient per variable, and one per product xⱼxₖ with j ≤ k, ordered by j and then by k.
@@ -40,8 +40,9 @@ const fn height<T: InLanes>(variables: usize) -> usize {
 }
 
 fn blocks(columns: Range<usize>) -> impl Iterator<Item = Range<usize>> {
-    let whole = columns.end - columns.len() % COLUMNS;
-    let blocks = (columns.start..whole).step_by(COLUMNS).map(|first| first..first + COLUMNS);
+    let whole = columns.end - columns.len() % COLUMNS_TOGETHER;
+    let blocks =
+        (columns.start..whole).step_by(COLUMNS_TOGETHER).map(|first| first..first + COLUMNS_TOGETHER);
     blocks.chain((whole..columns.end).map(|column| column..column + 1))
 }
 
@@ -102,22 +103,22 @@ impl<T: InLanes> Workspace<T> {
 /// [`Couplings::factor`](crate::__private::Couplings::factor).
 #[must_use]
 pub fn velocity<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
-    run(Work { packed, x, eps, eliminates: true, workspace }, Level::Avx2)
+    run(DenseWork { packed, x, eps, eliminates: true, workspace }, Level::Avx2)
 }
 
 /// Computes the matrix A(x,ε) = I − εf′(x) and the column f(x).
 pub fn assemble<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) {
-    run(Work { packed, x, eps, eliminates: false, workspace }, Level::Avx2);
+    run(DenseWork { packed, x, eps, eliminates: false, workspace }, Level::Avx2);
 }
 
-fn run<T: InLanes>(work: Work<'_, T>, level: Level) -> bool {
+fn run<T: InLanes>(work: DenseWork<'_, T>, level: Level) -> bool {
     let (n, height) = (work.x.len(), height::<T>(work.x.len()));
     work.workspace.columns.resize(height * (n + 1), T::zero());
-    work.workspace.factors.resize(height * PIVOTS, T::zero());
+    work.workspace.factors.resize(height * PIVOTS_TOGETHER, T::zero());
     T::run(work, level)
 }
 
-struct Work<'a, T> {
+struct DenseWork<'a, T> {
     packed: &'a [T],
     x: &'a [T],
     eps: T,
@@ -125,13 +126,13 @@ struct Work<'a, T> {
     workspace: &'a mut Workspace<T>,
 }
 
-impl<T: InLanes> OverLanes<T> for Work<'_, T> {
+impl<T: InLanes> OverLanes<T> for DenseWork<'_, T> {
     type Output = bool;
     const IS_SMALL: bool = false;
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> bool {
-        let Work { packed, x, eps, eliminates, workspace } = self;
+        let DenseWork { packed, x, eps, eliminates, workspace } = self;
         let (variables, height) = (x.len(), height::<T>(x.len()));
         let loops = Loops::<T, L, false> { variables, height, lanes: PhantomData };
         loops.assemble(packed, x, eps, &mut workspace.columns);
@@ -189,10 +190,17 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
                 Self::coefficient(packed, 1 + j, row).store(columns, self.at(row, j));
             }
             let (mut field, mut next) = (Self::coefficient(packed, 0, row), 1 + n);
-            for block in 0..n / COLUMNS {
-                self.block::<COLUMNS>([block * COLUMNS, row], packed, &mut next, x, &mut field, columns);
+            for block in 0..n / COLUMNS_TOGETHER {
+                self.block::<COLUMNS_TOGETHER>(
+                    [block * COLUMNS_TOGETHER, row],
+                    packed,
+                    &mut next,
+                    x,
+                    &mut field,
+                    columns,
+                );
             }
-            for first in n - n % COLUMNS..n {
+            for first in n - n % COLUMNS_TOGETHER..n {
                 self.block::<1>([first, row], packed, &mut next, x, &mut field, columns);
             }
             field.store(columns, self.at(row, n));
@@ -272,8 +280,8 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         let n = self.variables;
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
         suspects.clear();
-        for first in (0..n).step_by(PIVOTS) {
-            let end = n.min(first + PIVOTS);
+        for first in (0..n).step_by(PIVOTS_TOGETHER) {
+            let end = n.min(first + PIVOTS_TOGETHER);
             for k in first..end {
                 match self.factors([k, k - first], most, columns, factors) {
                     None => return false,
@@ -285,8 +293,8 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
                 }
             }
             for block in blocks(end..n + 1) {
-                if block.len() == COLUMNS {
-                    self.reduce::<COLUMNS>(columns, factors, block.start, first..end);
+                if block.len() == COLUMNS_TOGETHER {
+                    self.reduce::<COLUMNS_TOGETHER>(columns, factors, block.start, first..end);
                 } else {
                     self.reduce::<1>(columns, factors, block.start, first..end);
                 }
@@ -305,7 +313,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
 
     #[inline(always)]
     fn place_of_factors(row: usize, pivot: usize) -> usize {
-        (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
+        (row / T::ROWS * PIVOTS_TOGETHER + pivot) * T::ROWS + row % T::ROWS
     }
 
     /// Replaces pivot k by its reciprocal, and stores the factor of each lower row. Returns whether
@@ -365,7 +373,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts multiples of `PIVOTS` pivot rows from all rows from the index `below` on.
+    /// Subtracts multiples of `PIVOTS_TOGETHER` pivot rows from all rows from the index `below` on.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn subtract_all<const W: usize>(
@@ -377,20 +385,21 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         first: usize,
     ) {
         let columns = &mut columns[self.column(column)..][..W * self.height];
-        let mut upper = [[T::zero(); W]; PIVOTS];
-        for k in 0..PIVOTS {
+        let mut upper = [[T::zero(); W]; PIVOTS_TOGETHER];
+        for k in 0..PIVOTS_TOGETHER {
             for w in 0..W {
                 upper[k][w] = columns[self.column(w) + first + k];
             }
         }
         for register in self.registers(below, self.height) {
             let row = register * L::WIDTH;
-            let group = &factors[Self::place_of_factors(row, 0) - row % T::ROWS..][..PIVOTS * T::ROWS];
+            let group =
+                &factors[Self::place_of_factors(row, 0) - row % T::ROWS..][..PIVOTS_TOGETHER * T::ROWS];
             let mut own = [L::spread(&T::zero()); W];
             for w in 0..W {
                 own[w] = L::load(columns, self.column(w) + row);
             }
-            for k in 0..PIVOTS {
+            for k in 0..PIVOTS_TOGETHER {
                 let factor = L::load(group, k * T::ROWS + row % T::ROWS);
                 for w in 0..W {
                     own[w] = minus_product(own[w], factor, L::spread(&upper[k][w]));

@@ -18,13 +18,13 @@ use crate::{Constant, Level};
 /// The maximum number of rows in a panel, so that a panel fits a fast cache.
 const MOST_ROWS: usize = 32;
 /// The number of rows that are reduced together.
-const ROWS: usize = 4;
+const ROWS_TOGETHER: usize = 4;
 /// The maximum number of pivot rows that are subtracted from rows at once.
-const PIVOTS: usize = 16;
+const MAX_PIVOTS_TOGETHER: usize = 16;
 /// A panel with at most this number of pivots may reduce rows one pivot at a time.
-const FEWEST: usize = 4;
+const MAX_SINGLE_PIVOTS: usize = 4;
 /// From this number of columns on, loops over lanes save time.
-const SHORTEST: u32 = 4;
+const MIN_LANE_COLUMNS: u32 = 4;
 
 /// The panels of an elimination, and the tasks that reduce their rows.
 #[derive(Clone, Debug)]
@@ -61,11 +61,11 @@ struct PanelReduction {
     list: Option<usize>,
 }
 
-/// The reduction of one row, or of [`ROWS`] rows, by consecutive pivots.
+/// The reduction of one row, or of [`ROWS_TOGETHER`] rows, by consecutive pivots.
 #[derive(Clone, Debug)]
 struct RowReduction {
     /// The indices of the rows within the panel. If `is_alone` is true, only the first is used.
-    rows: [u32; ROWS],
+    rows: [u32; ROWS_TOGETHER],
     is_alone: bool,
     is_last: bool,
     first: u32,
@@ -161,12 +161,12 @@ impl Supernodes {
                     None => self.runs.push(ColumnRun { before, column, length: 1 }),
                 }
             }
-            self.runs[first_run..].sort_by_key(|run| run.length < SHORTEST);
+            self.runs[first_run..].sort_by_key(|run| run.length < MIN_LANE_COLUMNS);
             let runs = first_run..self.runs.len();
             let right = couplings.columns_right(of_pivots.start);
             let is_narrow = of_pivots.start < rows.start
-                && of_pivots.len() <= FEWEST
-                && right.len() < SHORTEST as usize * runs.len();
+                && of_pivots.len() <= MAX_SINGLE_PIVOTS
+                && right.len() < MIN_LANE_COLUMNS as usize * runs.len();
             let list = is_narrow.then_some(self.lists.len() + of_pivots.len() - 1);
             if is_narrow {
                 self.lists.extend(right.iter().map(|&column| places[column as usize]));
@@ -199,7 +199,7 @@ impl Supernodes {
             .collect();
         if pivots.start < rows.start {
             let reduced: Vec<usize> = (0..rows.len()).filter(|&r| firsts[r] < pivots.end).collect();
-            let (together, others) = reduced.as_chunks::<ROWS>();
+            let (together, others) = reduced.as_chunks::<ROWS_TOGETHER>();
             let (together, others) = if apart { (&[][..], &reduced[..]) } else { (together, others) };
             for four in together {
                 self.push_together(*four, four.map(|r| firsts[r]), pivots.end);
@@ -208,10 +208,10 @@ impl Supernodes {
                 self.push_alone(r, firsts[r]..pivots.end, false);
             }
         } else {
-            for block in (0..rows.len()).step_by(ROWS) {
-                let own = block..rows.len().min(block + ROWS);
+            for block in (0..rows.len()).step_by(ROWS_TOGETHER) {
+                let own = block..rows.len().min(block + ROWS_TOGETHER);
                 let mut from = rows.start;
-                if block > 0 && own.len() == ROWS {
+                if block > 0 && own.len() == ROWS_TOGETHER {
                     from += block;
                     let four = core::array::from_fn(|k| block + k);
                     self.push_together(four, four.map(|r| firsts[r]), from);
@@ -224,9 +224,9 @@ impl Supernodes {
         begin..self.tasks.len()
     }
 
-    /// Appends the joint reduction of `ROWS` rows by the pivots before `end`. Some pivots reduce
-    /// only some of these rows; they are applied separately.
-    fn push_together(&mut self, rows: [usize; ROWS], firsts: [usize; ROWS], end: usize) {
+    /// Appends the joint reduction of `ROWS_TOGETHER` rows by the pivots before `end`. Some pivots
+    /// reduce only some of these rows; they are applied separately.
+    fn push_together(&mut self, rows: [usize; ROWS_TOGETHER], firsts: [usize; ROWS_TOGETHER], end: usize) {
         let first = firsts.into_iter().fold(0, usize::max).min(end);
         for (r, own) in rows.into_iter().zip(firsts) {
             self.push_alone(r, own.min(first)..first, false);
@@ -247,9 +247,9 @@ impl Supernodes {
         }
     }
 
-    fn push_pivots(&mut self, rows: [usize; ROWS], is_alone: bool, pivots: Range<usize>) {
-        for first in pivots.clone().step_by(PIVOTS) {
-            let count = PIVOTS.min(pivots.end - first) as u32;
+    fn push_pivots(&mut self, rows: [usize; ROWS_TOGETHER], is_alone: bool, pivots: Range<usize>) {
+        for first in pivots.clone().step_by(MAX_PIVOTS_TOGETHER) {
+            let count = MAX_PIVOTS_TOGETHER.min(pivots.end - first) as u32;
             let rows = rows.map(|r| r as u32);
             self.tasks.push(RowReduction { rows, is_alone, is_last: false, first: first as u32, count });
         }
@@ -270,7 +270,7 @@ impl Supernodes {
         workspace: &mut PanelWorkspace<T>,
     ) -> bool {
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
-        T::run(Work { supernodes: self, couplings, flushes, most, values, workspace }, Level::Avx2)
+        T::run(PanelWork { supernodes: self, couplings, flushes, most, values, workspace }, Level::Avx2)
     }
 }
 
@@ -292,7 +292,7 @@ impl Couplings<'_> {
     }
 }
 
-struct Work<'a, T> {
+struct PanelWork<'a, T> {
     supernodes: &'a Supernodes,
     couplings: &'a Couplings<'a>,
     flushes: bool,
@@ -301,7 +301,7 @@ struct Work<'a, T> {
     workspace: &'a mut PanelWorkspace<T>,
 }
 
-impl<T: InLanes> OverLanes<T> for Work<'_, T> {
+impl<T: InLanes> OverLanes<T> for PanelWork<'_, T> {
     type Output = bool;
     const IS_SMALL: bool = false;
 
@@ -309,8 +309,8 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     fn run<L: Lanes<T>>(mut self) -> bool {
         self.set_column_limits();
         self.workspace.limits.resize(MOST_ROWS, T::zero());
-        self.workspace.factors.resize(PIVOTS * ROWS, T::zero());
-        self.workspace.uppers.resize(PIVOTS, 0);
+        self.workspace.factors.resize(MAX_PIVOTS_TOGETHER * ROWS_TOGETHER, T::zero());
+        self.workspace.uppers.resize(MAX_PIVOTS_TOGETHER, 0);
         let panels = &self.supernodes.panels;
         for panel in panels {
             if !self.has_factored::<L>(panel) {
@@ -330,7 +330,7 @@ fn negligible<T: InLanes>(largest: T) -> T {
 }
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
-impl<T: InLanes> Work<'_, T> {
+impl<T: InLanes> PanelWork<'_, T> {
     /// Computes the factors of a panel. Returns `false` if a pivot is 0 or too small. The functions
     /// for reductions are called at one place each, because they are inlined.
     #[inline(always)]
@@ -354,7 +354,7 @@ impl<T: InLanes> Work<'_, T> {
                 } else if task.is_alone {
                     self.has_reduced::<L, 1>(task, reduction, width)
                 } else {
-                    self.has_reduced::<L, ROWS>(task, reduction, width)
+                    self.has_reduced::<L, ROWS_TOGETHER>(task, reduction, width)
                 };
                 if !is_possible {
                     return false;

@@ -3,7 +3,7 @@
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lenient;
 use kahan_algebra::parse::parse_lifted;
-use kahan_algebra::syntax::{Expr, ExprKind, Factor, InFormula, Term};
+use kahan_algebra::syntax::{Expr, ExprKind, Factor, FormulaSyntax, Term};
 use kahan_algebra::token::Token;
 use kahan_lift::{Lift, LiftCriterion, Options, lift, stated};
 use kahan_runtime::Map;
@@ -130,8 +130,8 @@ impl Formula {
         sides.map(|side| Formula::of(side, states, parameters)).collect()
     }
 
-    fn of(expr: &Expr<InFormula>, states: &[&str], parameters: &[(&str, f64)]) -> Self {
-        let read = |expr: &Expr<InFormula>| Formula::of(expr, states, parameters);
+    fn of(expr: &Expr<FormulaSyntax>, states: &[&str], parameters: &[(&str, f64)]) -> Self {
+        let read = |expr: &Expr<FormulaSyntax>| Formula::of(expr, states, parameters);
         match &expr.kind {
             ExprKind::Number(number) => Formula::Number(number.to_f64()),
             ExprKind::Name(name) => match states.iter().position(|state| state == name) {
@@ -149,10 +149,10 @@ impl Formula {
             ),
             ExprKind::Negation(inner) => Formula::Sum(vec![(true, read(inner))]),
             ExprKind::Power(base, exponent) => Formula::Power(Box::new(read(base)), *exponent as f64),
-            ExprKind::Special(InFormula::Power(parts)) => {
+            ExprKind::Special(FormulaSyntax::Power(parts)) => {
                 Formula::Power(Box::new(read(&parts[0])), read(&parts[1]).value(&[]))
             }
-            ExprKind::Special(InFormula::Call { function, arguments }) => {
+            ExprKind::Special(FormulaSyntax::Call { function, arguments }) => {
                 let function = match function.as_str() {
                     "sin" => f64::sin,
                     "cos" => f64::cos,

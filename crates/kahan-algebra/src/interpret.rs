@@ -148,8 +148,8 @@ impl<A: OverRationals> Evaluator<'_, A> {
         let integrals = self.run_partly(&derived.integrals, &self.point.state);
         let drifts = derived.drifts.iter().map(|(name, plan)| (name.clone(), self.run(plan)));
         let brackets = derived.brackets.iter();
-        let brackets =
-            brackets.map(|(name, plan)| (name.clone(), self.run(plan).and_then(|of| self.full(&of))));
+        let brackets = brackets
+            .map(|(name, plan)| (name.clone(), self.run(plan).and_then(|of| self.antisymmetric_matrix(&of))));
         Some(Evaluation {
             field: self.run(derived.at_eps_zero().field())?,
             field_jacobian: self.rows(derived.at_eps_zero().field_jacobian())?,
@@ -197,7 +197,7 @@ impl<A: OverRationals> Evaluator<'_, A> {
     }
 
     /// Returns an antisymmetric matrix from its entries above the diagonal, row by row.
-    fn full(&self, upper: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
+    fn antisymmetric_matrix(&self, upper: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
         let n = self.point.state.len();
         let zero = self.arithmetic.constant(&Rational::zero())?;
         let entry = |i: usize, j: usize| match i.cmp(&j) {

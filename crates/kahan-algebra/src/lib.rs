@@ -69,7 +69,7 @@ use token::Token;
 pub fn read(tokens: &[Token]) -> Checked {
     let mut diagnostics = Diagnostics::default();
     let block = parse::parse(tokens, &mut diagnostics);
-    checked(block, Some(tokens), diagnostics)
+    check_block(block, Some(tokens), diagnostics)
 }
 
 /// Parses and checks a block without proving its claims.
@@ -77,7 +77,7 @@ pub fn read(tokens: &[Token]) -> Checked {
 pub fn read_unproved(tokens: &[Token]) -> Checked {
     let mut diagnostics = Diagnostics::default();
     let block = parse::parse(tokens, &mut diagnostics);
-    checked(block, None, diagnostics)
+    check_block(block, None, diagnostics)
 }
 
 /// Parses and checks a text in the lenient notation without proving its claims. The long list of
@@ -86,17 +86,17 @@ pub fn read_unproved(tokens: &[Token]) -> Checked {
 pub fn read_unproved_text(text: &str) -> Checked {
     let mut diagnostics = Diagnostics::default();
     let block = parse::parse(&lenient::read(text).lexed.tokens, &mut diagnostics);
-    checked(block, None, diagnostics)
+    check_block(block, None, diagnostics)
 }
 
 /// Checks a syntax tree without proving its claims.
 #[must_use]
 pub fn check_unproved(block: Block) -> Checked {
-    checked(block, None, Diagnostics::default())
+    check_block(block, None, Diagnostics::default())
 }
 
 /// Checks a block. Claims are proved only if tokens are given.
-fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics) -> Checked {
+fn check_block(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics) -> Checked {
     let (stand_in, checked) = match &block.family {
         Some(head) => {
             let (stand_in, family) = check::check_family(&block, head, &mut diagnostics);

@@ -177,8 +177,8 @@ impl<'a> Flow<'a> {
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
         let constant = linear_relations(&self.components, |v| symbols.is_state(v), budget)?;
         let affine = linear_relations(&quadratic, |v| symbols.is_state(v), budget)?;
-        let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
-        let others = affine.iter().filter(|relation| !is_last(last(relation)));
+        let is_last = |index: usize| constant.iter().any(|relation| last_index(relation) == index);
+        let others = affine.iter().filter(|relation| !is_last(last_index(relation)));
         let mut forms = Vec::new();
         for relation in constant.iter().chain(others) {
             let form = combination(relation, &states, budget)?;
@@ -214,8 +214,8 @@ impl<'a> Flow<'a> {
         for i in 0..relations.len() {
             for j in 0..=i {
                 let is_square = i == j;
-                let other = if is_square { relations[i][0].0 } else { last(&relations[j]) };
-                let pair = [last(&relations[i]), other].map(|state| self.symbols.state(state));
+                let other = if is_square { relations[i][0].0 } else { last_index(&relations[j]) };
+                let pair = [last_index(&relations[i]), other].map(|state| self.symbols.state(state));
                 if pair[0] != pair[1] {
                     let value = forms[i].0.mul_within(&forms[j].0, budget)?;
                     if is_square { &mut squares } else { &mut of_two }.push(Product { value, pair });
@@ -238,7 +238,7 @@ impl<'a> Flow<'a> {
                 let slope = component.div_within(&multiplier, budget)?;
                 slopes.push(slope.filter(|slope| self.symbols.degree(slope) < 2));
             }
-            self.close(&mut slopes);
+            self.remove_dependent(&mut slopes);
             let members: Vec<usize> = (0..slopes.len()).filter(|&i| slopes[i].is_some()).collect();
             let slopes: Vec<Polynomial> = slopes.into_iter().map(Option::unwrap_or_default).collect();
             let (mut values, mut first, mut second) =
@@ -326,7 +326,7 @@ impl<'a> Flow<'a> {
     }
 
     /// Removes each variable whose quotient contains a removed variable, repeatedly.
-    fn close(&self, slopes: &mut [Option<Polynomial>]) {
+    fn remove_dependent(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {
                 let mut states = slope.variables().into_iter().filter(|&v| self.symbols.is_state(v));
@@ -439,7 +439,7 @@ impl<'a> Flow<'a> {
     }
 }
 
-fn last(relation: &Relation) -> usize {
+fn last_index(relation: &Relation) -> usize {
     relation.last().expect("a relation has a coefficient").0
 }
 

@@ -54,8 +54,8 @@ impl System {
         let relations = Relations::default();
         let renaming = Specialisation { field: &self.field, new: &symbols, relations: &relations };
         let components: Vec<_> =
-            self.field.components.iter().filter_map(|one| renaming.component(one)).collect();
-        let kept = renaming.kept(&self.kept, &components);
+            self.field.components.iter().filter_map(|one| renaming.specialised_component(one)).collect();
+        let kept = renaming.specialised_subexpressions(&self.kept, &components);
         let claims = self.claims.iter().filter_map(|claim| renaming.claim(claim)).collect();
         let field = Field { symbols, components };
         let kept = kept.unwrap_or_else(|| FieldWithSubexpressions::of(&field)).into();
@@ -85,9 +85,10 @@ impl System {
         let symbols =
             Symbols { states: old.states.clone(), parameters: names.map(|(_, name)| name.clone()).collect() };
         let specialisation = Specialisation { field: &self.field, new: &symbols, relations };
-        let components = self.field.components.iter().map(|component| specialisation.component(component));
+        let components =
+            self.field.components.iter().map(|component| specialisation.specialised_component(component));
         let components = components.collect::<Option<Vec<_>>>()?;
-        let kept = specialisation.kept(&self.kept, &components);
+        let kept = specialisation.specialised_subexpressions(&self.kept, &components);
         let field = Field { symbols, components };
         let kept = kept.unwrap_or_else(|| FieldWithSubexpressions::of(&field));
         let (header, constants) = (self.header.clone(), self.constants.clone());
@@ -122,7 +123,7 @@ impl Specialisation<'_> {
         function.map(|of| self.polynomial(of))
     }
 
-    fn component(&self, component: &RationalFunction) -> Option<RationalFunction> {
+    fn specialised_component(&self, component: &RationalFunction) -> Option<RationalFunction> {
         let mut relations = self.relations.clone();
         let numerator = relations.put_into(component.numerator()).ok()??;
         let denominator = relations.put_into(component.denominator()).ok()??;
@@ -131,7 +132,7 @@ impl Specialisation<'_> {
 
     /// Inserts values into the written form. Returns `None` if a value is not a polynomial, or if a
     /// divisor cancels.
-    fn kept(
+    fn specialised_subexpressions(
         &self,
         kept: &FieldWithSubexpressions,
         components: &[RationalFunction],

@@ -53,7 +53,7 @@ pub struct FieldWithSubexpressions {
 
 /// A field for planning steps. Subexpressions without states are additional parameters.
 #[derive(Clone, Debug)]
-pub(crate) struct WithConstants {
+pub(crate) struct FieldWithConstants {
     pub(crate) field: Field,
     /// The field with sums of states as subexpressions. `None` without such sums.
     pub(crate) kept: Option<FieldWithSubexpressions>,
@@ -302,7 +302,7 @@ impl FieldWithSubexpressions {
     pub(crate) fn sensitivities(&self, symbols: &Symbols, tangent: &Symbols, by: &[Sensitivity]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =
-            by.iter().map(|by| self.sources(symbols, &mut values, *by)).collect();
+            by.iter().map(|by| self.parameter_derivatives(symbols, &mut values, *by)).collect();
         let moved = Subexpressions::of(tangent);
         let rename = |variable: Variable| match values.place(variable) {
             Some(place) => moved.variable(place).expect("values are fewer than 16 bits can number"),
@@ -329,7 +329,12 @@ impl FieldWithSubexpressions {
     }
 
     /// Returns ∂f/∂a for a parameter a. For ε, returns f + ε ∂f/∂ε, which the caller divides by ε.
-    fn sources(&self, symbols: &Symbols, values: &mut Subexpressions, by: Sensitivity) -> Vec<Polynomial> {
+    fn parameter_derivatives(
+        &self,
+        symbols: &Symbols,
+        values: &mut Subexpressions,
+        by: Sensitivity,
+    ) -> Vec<Polynomial> {
         let name = match by {
             Sensitivity::Start => return vec![Polynomial::zero(); self.components.len()],
             Sensitivity::Parameter(k) => symbols.parameter(k),
@@ -364,7 +369,7 @@ impl FieldWithSubexpressions {
 
     /// Turns subexpressions without states into parameters. Returns `field` unchanged if a
     /// coefficient vanishes.
-    pub(crate) fn with_constants(&self, field: &Field) -> WithConstants {
+    pub(crate) fn with_constants(&self, field: &Field) -> FieldWithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
@@ -374,7 +379,7 @@ impl FieldWithSubexpressions {
         &self,
         field: &Field,
         varies: impl Fn(Variable) -> bool,
-    ) -> WithConstants {
+    ) -> FieldWithConstants {
         let symbols = &field.symbols;
         let mut over = symbols.clone();
         let (mut places, mut moving) = (Vec::new(), Vec::new());
@@ -385,7 +390,7 @@ impl FieldWithSubexpressions {
             };
             if value.polynomial().variables().iter().any(is_moving) {
                 if matches!(value, Value::Reciprocal(_)) {
-                    return WithConstants::plain(field);
+                    return FieldWithConstants::plain(field);
                 }
                 moving.push(place);
             } else {
@@ -416,11 +421,11 @@ impl FieldWithSubexpressions {
         let mut pairs = expanded.iter().zip(&field.components);
         let is_as_sparse = pairs.all(|(over, own)| states(over.numerator()) == states(own.numerator()));
         if !is_as_sparse {
-            return WithConstants::plain(field);
+            return FieldWithConstants::plain(field);
         }
         let field = Field { components: expanded, symbols: over };
         let (values, symbols) = (self.values.clone(), symbols.clone());
-        WithConstants { field, kept: Some(kept), places, values, symbols }
+        FieldWithConstants { field, kept: Some(kept), places, values, symbols }
     }
 
     /// Returns whether a step that is planned from expanded sums may lose digits.
@@ -478,12 +483,12 @@ impl FieldWithSubexpressions {
     }
 }
 
-impl WithConstants {
+impl FieldWithConstants {
     /// Returns the expanded field without added parameters.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
         let values = Subexpressions::of(&symbols);
-        WithConstants { field: field.clone(), kept: None, places: Vec::new(), values, symbols }
+        FieldWithConstants { field: field.clone(), kept: None, places: Vec::new(), values, symbols }
     }
 
     pub(crate) fn is_plain(&self) -> bool {

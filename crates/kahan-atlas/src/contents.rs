@@ -21,13 +21,13 @@ pub fn page(found: &AtlasContent<'_>, making: &PageCreation) -> String {
         (table_of_contents(found))
         main {
             (systems::section(found))
-            (systems::further(found))
+            (systems::further_systems(found))
             (structures::section(found))
             (solutions::section(found))
             (figures::section(found))
             (verification::section(found))
             (errata::section(found))
-            (errata::open())
+            (errata::open_questions())
         }
         (colophon(making, &html! {
             code { "kahan atlas --out DIR" } ", or in the source tree " code { "cargo run --release -p kahan-cli -- atlas --out DIR" }

@@ -148,7 +148,7 @@ fn statements(found: &AtlasContent<'_>) -> Markup {
                 dt { span.number { (Erratum::B(number)) } " " (place) }
                 dd {
                     (text)
-                    @for checked in about(found, Erratum::B(number)) {
+                    @for checked in claims_about(found, Erratum::B(number)) {
                         @if checked.established.outcome == Outcome::Failed { " " (badge(Outcome::Failed)) }
                         " " (link(checked))
                     }
@@ -158,14 +158,14 @@ fn statements(found: &AtlasContent<'_>) -> Markup {
     }
 }
 
-fn about<'f, 'a>(
+fn claims_about<'f, 'a>(
     found: &'f AtlasContent<'a>,
     erratum: Erratum,
 ) -> impl Iterator<Item = &'f CheckedClaim<'a>> {
     found.claims.iter().filter(move |checked| checked.claim.erratum == Some(erratum))
 }
 
-pub(super) fn open() -> Markup {
+pub(super) fn open_questions() -> Markup {
     html! {
         section #open {
             h2 { "What is left open" }

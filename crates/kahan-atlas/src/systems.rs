@@ -21,12 +21,12 @@ pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
                 ", and the inverse map has " (inline("-\\varepsilon")) " in place of " (inline("\\varepsilon"))
                 ". Open a system for its formulas, and for what its map preserves; the maps are in lowest terms."
             }
-            @for entry in SYSTEMS { (sheet(entry, found)) }
+            @for entry in SYSTEMS { (system_section(entry, found)) }
         }
     }
 }
 
-pub(super) fn further(found: &AtlasContent<'_>) -> Markup {
+pub(super) fn further_systems(found: &AtlasContent<'_>) -> Markup {
     html! {
         section #further {
             h2 { "Further systems" }
@@ -34,12 +34,12 @@ pub(super) fn further(found: &AtlasContent<'_>) -> Markup {
                 "What is claimed of these fields was found from their equations alone, by " code { "kahan discover" } ", and is "
                 "proved with the other claims below. The Lorenz system is a control: nothing was found, so nothing is claimed."
             }
-            @for entry in FURTHER { (sheet(entry, found)) }
+            @for entry in FURTHER { (system_section(entry, found)) }
         }
     }
 }
 
-fn sheet(entry: &Entry, found: &AtlasContent<'_>) -> Markup {
+fn system_section(entry: &Entry, found: &AtlasContent<'_>) -> Markup {
     let study = Subject::named(entry.command).study(&Systems).expect("a system of the catalog");
     let asked = Show { form: ShowForm::Latex, jacobian: false };
     let Ok(ShownField::Formulas(sheet)) = asked.ask(&study, &Unwatched) else {

@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser};
 
-use commands::{Command, GROUPS};
+use commands::{COMMAND_GROUPS, Command};
 use printing::{Answer, UsageError, finish, joined, warn};
 use reading::{ONE_WORD, Source};
 
@@ -101,7 +101,7 @@ fn grouped(command: &clap::Command) -> String {
     let group = |(heading, names): &(&str, &[&str])| {
         format!("{heading}:\n{}", names.iter().filter_map(line).collect::<String>())
     };
-    GROUPS.iter().map(group).collect()
+    COMMAND_GROUPS.iter().map(group).collect()
 }
 
 /// Builds the command line. `--help` prints what fits on a screen; `kahan help COMMAND` prints all.
@@ -116,7 +116,7 @@ fn command() -> clap::Command {
         one.disable_help_flag(true).arg(help)
     };
     let found = |one: clap::Command| on_a_screen(one).mut_arg("help", |help| help.hide(true));
-    let names = GROUPS.iter().flat_map(|(_, names)| *names);
+    let names = COMMAND_GROUPS.iter().flat_map(|(_, names)| *names);
     names.fold(on_a_screen(cli.help_template(template)), |command, name| {
         command.mut_subcommand(name, |one| {
             let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();

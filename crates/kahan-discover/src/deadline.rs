@@ -13,7 +13,7 @@ const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
 /// A computation that a [`Watch`] observes. Each finding is reported once. A watch that has ended
 /// the computation is not called again.
-pub struct Work<'a> {
+pub struct WatchedSearch<'a> {
     watch: &'a dyn Watch,
     /// The current stage.
     stage: RefCell<String>,
@@ -23,11 +23,11 @@ pub struct Work<'a> {
     told: RefCell<BTreeSet<String>>,
 }
 
-impl<'a> Work<'a> {
+impl<'a> WatchedSearch<'a> {
     /// Starts a computation that has no findings yet.
     #[must_use]
     pub fn new(watch: &'a dyn Watch) -> Self {
-        Work {
+        WatchedSearch {
             watch,
             stage: RefCell::default(),
             count: Cell::default(),
@@ -86,7 +86,7 @@ impl<'a> Work<'a> {
 /// the watch ends the computation. Without a clock, time alone never passes the deadline.
 #[derive(Clone)]
 pub struct Deadline<'a> {
-    work: Option<&'a Work<'a>>,
+    work: Option<&'a WatchedSearch<'a>>,
     end: Option<Duration>,
     has_stopped: Cell<bool>,
 }
@@ -94,7 +94,7 @@ pub struct Deadline<'a> {
 impl<'a> Deadline<'a> {
     /// Sets a deadline in `seconds` seconds. NaN and negative numbers are replaced by 0.
     #[must_use]
-    pub fn after(work: &'a Work<'a>, seconds: f64) -> Self {
+    pub fn after(work: &'a WatchedSearch<'a>, seconds: f64) -> Self {
         let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, 1e9) };
         let end = work.now().map(|now| now + Duration::from_secs_f64(seconds));
         Deadline { work: Some(work), end, has_stopped: Cell::new(false) }
@@ -151,7 +151,7 @@ mod tests {
     #[test]
     fn a_deadline_remembers_only_what_it_stopped() {
         let (clock, unwatched) = (Ticking::default(), Unwatched);
-        let work = Work::new(&clock);
+        let work = WatchedSearch::new(&clock);
         let past = Deadline::after(&work, f64::NAN);
         assert!(!past.has_stopped());
         assert!(past.passed() && past.has_stopped());
@@ -159,7 +159,7 @@ mod tests {
         assert!(!far.passed() && !far.has_stopped() && !Deadline::never().passed());
         assert!(far.left() > 1e8 && past.left() == 0.0);
         assert!(far.after_share(0.1).left() < 0.11 * far.left() && past.after_share(0.5).passed());
-        let unwatched = Work::new(&unwatched);
+        let unwatched = WatchedSearch::new(&unwatched);
         let timeless = Deadline::after(&unwatched, 0.0);
         assert!(!timeless.passed() && timeless.left() == f64::INFINITY);
     }
@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn the_watch_looks_some_times_a_second_and_no_more_once_it_has_ended_the_work() {
         let clock = Ticking::ending_at_look(4);
-        let work = Work::new(&clock);
+        let work = WatchedSearch::new(&clock);
         let far = Deadline::after(&work, 1e9);
         work.show(&Progress::stage("one"));
         work.show(&Progress::stage("two"));

@@ -8,7 +8,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
-use crate::deadline::{Deadline, Work};
+use crate::deadline::{Deadline, WatchedSearch};
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
@@ -73,7 +73,7 @@ impl Scan {
 }
 
 /// The number of iterates at each point, which is low enough for thousands of points.
-const ITERATES: usize = 6;
+const ITERATES_PER_POINT: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
@@ -92,7 +92,7 @@ pub fn scan(
     options: &Options,
     watch: &dyn Watch,
 ) -> Result<Scan, DiscoverError> {
-    let work = &Work::new(watch);
+    let work = &WatchedSearch::new(watch);
     let deadline = Deadline::after(work, options.seconds);
     for quantity in scanned.iter().filter(|quantity| quantity.name != "eps") {
         if !system.field.symbols.parameters.contains(&quantity.name) {
@@ -160,7 +160,7 @@ fn degrees_and_ranks(
     if searched.eps().is_some() && !searched.is_invertible(&mut random) {
         return Err(DiscoverError::Collapse);
     }
-    let limits = DegreeLimits { iterates: ITERATES, degree: ITERATE_DEGREE, deadline };
+    let limits = DegreeLimits { iterates: ITERATES_PER_POINT, degree: ITERATE_DEGREE, deadline };
     let degrees = degrees(&sample.map, &mut random, limits);
     Ok(Hilbert::of(&searched, degree, &mut random, deadline).map(|hilbert| DegreesAndRanks {
         degrees,

@@ -24,7 +24,7 @@ use maud::{Markup, html};
 
 pub use drawing::{Canvas, Drawing, DrawingFileError, Format};
 pub use grid::Grid;
-use label::{LARGE, SMALL, fitted, reach, text, width};
+use label::{LARGE_FONT_SIZE, SMALL_FONT_SIZE, fit_to_width, reach, text, width};
 use legend::Legend;
 use number_line::Tick;
 pub use number_line::{NumberLine, TickKind, decimal};
@@ -32,7 +32,7 @@ use palette::Paint;
 pub use palette::Theme;
 pub(crate) use palette::{style, variables};
 use path::{Place, dots, line, polyline, rings, stroked};
-pub(crate) use script::{lowered, raised};
+pub(crate) use script::{subscript, superscript};
 pub use space_plot::{SpacePlot, SpaceSeries};
 
 /// The style of a series.
@@ -177,7 +177,7 @@ impl Plot {
     fn lines(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
         let mut lines: Vec<Vec<(f64, f64)>> = Vec::new();
         for pair in points.windows(2) {
-            let Some([from, to]) = self.part(pair[0], pair[1]) else { continue };
+            let Some([from, to]) = self.visible_part(pair[0], pair[1]) else { continue };
             match lines.last_mut() {
                 Some(line) if line.last() == Some(&from) => line.push(to),
                 _ => lines.push(vec![from, to]),
@@ -188,7 +188,7 @@ impl Plot {
         lines
     }
 
-    fn part(&self, from: (f64, f64), to: (f64, f64)) -> Option<[(f64, f64); 2]> {
+    fn visible_part(&self, from: (f64, f64), to: (f64, f64)) -> Option<[(f64, f64); 2]> {
         let mut ends = [0.0_f64, 1.0];
         for (axis, from, to) in [(&self.x, from.0, to.0), (&self.y, from.1, to.1)] {
             if axis.shows(from) && axis.shows(to) {
@@ -225,7 +225,7 @@ impl Plot {
             series.shape(self.sheet.theme, &lines, &shown.map(place).collect::<Vec<_>>())
         };
         let body = html! {
-            (frame.across(&self.x, &self.y))
+            (frame.grid_lines(&self.x, &self.y))
             (frame.axes(&self.x, &self.y))
             @for series in &self.series { (drawn(series)) }
             (legend.drawn())
@@ -254,11 +254,11 @@ impl Frame {
         let (across, upwards) = sheet.view_box;
         let frame = Frame { sheet, left: 0.0, right: across, top: above + TOP, bottom: upwards - BOTTOM };
         let widest = |ticks: Vec<(Place, String)>| {
-            ticks.iter().map(|(_, value)| width(value, SMALL)).fold(0.0, f64::max)
+            ticks.iter().map(|(_, value)| width(value, SMALL_FONT_SIZE)).fold(0.0, f64::max)
         };
-        let left = 20.0 + 6.0 + widest(frame.up(y)) + 7.0;
+        let left = 20.0 + 6.0 + widest(frame.y_labels(y)) + 7.0;
         // Half of the last label may extend beyond the right end of the axis.
-        let out = widest(Frame { left, ..frame }.along(x)) / 2.0 + 4.0;
+        let out = widest(Frame { left, ..frame }.x_labels(x)) / 2.0 + 4.0;
         Frame { left, right: across - beside.max(out.max(14.0)), ..frame }
     }
 
@@ -266,20 +266,20 @@ impl Frame {
         (x.place(point.0, self.left, self.right), y.place(point.1, self.bottom, self.top))
     }
 
-    fn along(&self, x: &NumberLine) -> Vec<(Place, String)> {
-        placed(x, |value| (x.place(value, self.left, self.right), self.bottom))
+    fn x_labels(&self, x: &NumberLine) -> Vec<(Place, String)> {
+        placed_labels(x, |value| (x.place(value, self.left, self.right), self.bottom))
     }
 
-    fn up(&self, y: &NumberLine) -> Vec<(Place, String)> {
-        placed(y, |value| (self.left, y.place(value, self.bottom, self.top)))
+    fn y_labels(&self, y: &NumberLine) -> Vec<(Place, String)> {
+        placed_labels(y, |value| (self.left, y.place(value, self.bottom, self.top)))
     }
 
-    fn across(&self, x: &NumberLine, y: &NumberLine) -> Markup {
+    fn grid_lines(&self, x: &NumberLine, y: &NumberLine) -> Markup {
         grid(
             self.sheet.theme,
             &html! {
-                @for ((x, _), _) in self.along(x) { (line((x, self.top), (x, self.bottom))) }
-                @for ((_, y), _) in self.up(y) { (line((self.left, y), (self.right, y))) }
+                @for ((x, _), _) in self.x_labels(x) { (line((x, self.top), (x, self.bottom))) }
+                @for ((_, y), _) in self.y_labels(y) { (line((self.left, y), (self.right, y))) }
             },
         )
     }
@@ -296,8 +296,8 @@ impl Frame {
             (line((left, top), (left, bottom)))
         };
         let values = html! {
-            @for ((x, _), value) in self.along(x) { (text((x, bottom + 16.0), 0, "middle", SMALL, &value)) }
-            @for ((_, y), value) in self.up(y) { (text((left - 7.0, y + 4.2), 0, "end", SMALL, &value)) }
+            @for ((x, _), value) in self.x_labels(x) { (text((x, bottom + 16.0), 0, "middle", SMALL_FONT_SIZE, &value)) }
+            @for ((_, y), value) in self.y_labels(y) { (text((left - 7.0, y + 4.2), 0, "end", SMALL_FONT_SIZE, &value)) }
         };
         html! {
             (Paint::AXES.group(sheet.theme, &axes))
@@ -312,7 +312,7 @@ impl Frame {
 /// position if possible.
 fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &str) -> Markup {
     const FREE: f64 = 5.0;
-    let (words, size) = fitted(words, LARGE, to - from - 2.0 * FREE);
+    let (words, size) = fit_to_width(words, LARGE_FONT_SIZE, to - from - 2.0 * FREE);
     let half = reach(&words, size) + FREE;
     let within = |middle: f64| middle.min(to - half).max(from + half);
     let place = if turn == 0 { (within(x), y) } else { (x, within(y)) };
@@ -320,7 +320,7 @@ fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &st
 }
 
 /// Returns positions and labels of ticks. Labels do not overlap.
-fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
+fn placed_labels(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
     /// The smallest vertical distance of two labels.
     const LINE: f64 = 14.0;
     const FREE: f64 = 7.0;
@@ -328,7 +328,7 @@ fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> 
     let fits = |ticks: &[Tick]| {
         ticks.windows(2).all(|pair| {
             let ((x, y), (next_x, next_y)) = (at(pair[0].value), at(pair[1].value));
-            let both = width(&pair[0].text, SMALL) + width(&pair[1].text, SMALL);
+            let both = width(&pair[0].text, SMALL_FONT_SIZE) + width(&pair[1].text, SMALL_FONT_SIZE);
             (next_y - y).abs() >= LINE || (next_x - x).abs() >= both / 2.0 + FREE
         })
     };

@@ -54,7 +54,7 @@ fn emit_method(
     body: &TokenStream,
 ) -> TokenStream {
     let (scalar, vector, name) = (&context.this.scalar, context.vector(), format_ident!("{name}"));
-    let stand_in = (!context.is_proved).then(|| docs::stand_in(false));
+    let stand_in = (!context.is_proved).then(|| docs::placeholder_docs(false));
     let documentation = stand_in.as_ref().unwrap_or(documentation);
     let generics = if context.this.has_parameters() { quote!() } else { quote!(<#scalar: __kahan::Scalar>) };
     quote! {
@@ -84,7 +84,7 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
         methods.extend(emit_method(context, &docs::integral(claim), &name, &quote!(#scalar), &body));
     }
     EmittedClaims {
-        constants: items::emit_list("INTEGRALS", "The names of the integrals, in order.", names),
+        constants: items::emit_name_list("INTEGRALS", "The names of the integrals, in order.", names),
         methods,
         implementations: quote! {
             impl<#scalar: __kahan::Scalar> __kahan::Integrals<#scalar, #dimension, #count> for #this {
@@ -102,13 +102,13 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
 /// Returns the integral's own name, or `integral_NAME` if that name is taken.
 fn name_of_integral(name: &str, integrals: &[String]) -> String {
     /// Names of methods that the type or its traits already have.
-    const TAKEN: &str = "embed project field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
+    const EXISTING_METHODS: &str = "embed project field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
         step_back jacobian det_matrix det_jacobian rational_map reduced_map at orbit extend_scalars carry_tangent variables \
         parameters integral_names integrals density clone clone_from eq ne fmt into try_into to_owned borrow \
         borrow_mut type_id";
     let is_of_another =
         name.strip_prefix("integral_").is_some_and(|base| integrals.iter().any(|other| other == base));
-    let is_taken = TAKEN.split_whitespace().chain(items::LISTS).any(|taken| taken == name)
+    let is_taken = EXISTING_METHODS.split_whitespace().chain(items::LISTS).any(|taken| taken == name)
         || name.starts_with("bracket_")
         || name.starts_with("density_")
         || name.starts_with("drift_")

@@ -18,7 +18,7 @@ use quote::{format_ident, quote};
 
 use super::Context;
 use super::formulas::emit_formulas;
-use super::inputs::emit_pattern;
+use super::input_bindings::emit_pattern;
 use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
 use super::step::emit_cost;
@@ -26,7 +26,7 @@ use super::step::emit_cost;
 /// Emits the type `__Coupled`, which the field and the map use.
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
-    let [parameters, slopes, places] = sizes(context, couplings);
+    let [parameters, slopes, places] = table_sizes(context, couplings);
     let (tables, cost) = (emit_tables(couplings), emit_cost(couplings.cost(context.derived.field())));
     let field = emit_entries(context, context.derived.field());
     let entries = emit_entries(context, &couplings.slopes);
@@ -58,13 +58,13 @@ pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> Toke
 }
 
 /// Returns the numbers of parameters, of entries of f′, and of entries of A.
-pub(super) fn sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3] {
-    let sizes = [parameters(context), couplings.places.len(), couplings.columns.len()];
+pub(super) fn table_sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3] {
+    let sizes = [parameter_count(context), couplings.places.len(), couplings.columns.len()];
     sizes.map(Literal::usize_unsuffixed)
 }
 
 /// Returns the number of parameters, including ε if coefficients depend on ε.
-fn parameters(context: &Context<'_>) -> usize {
+fn parameter_count(context: &Context<'_>) -> usize {
     let field = &context.system.field;
     field.symbols.parameters.len() + usize::from(field.depends_on_eps())
 }
@@ -90,7 +90,7 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
         return quote! { #bindings [#(#results),*] };
     }
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
-    let parameters = Literal::usize_unsuffixed(parameters(context));
+    let parameters = Literal::usize_unsuffixed(parameter_count(context));
     let count = Literal::usize_unsuffixed(plan.outputs.len());
     let parts = plan.operations.len().div_ceil(MOST_OPERATIONS);
     let results = plan.outputs.len().div_ceil(parts);
@@ -130,7 +130,7 @@ fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStrea
     let states = states.map(|states| quote! { let #states = x; });
     let own = symbols.parameters.len();
     let parameter = |k| if k < own { Symbol::Parameter(k) } else { Symbol::Epsilon };
-    let parameters = emit_pattern(&inputs, symbols, parameter, parameters(context));
+    let parameters = emit_pattern(&inputs, symbols, parameter, parameter_count(context));
     let parameters = parameters.map(|parameters| quote! { let #parameters = __parameters; });
     let Emitted { bindings, results } = emit_plan(plan, symbols, &context.this.scalar);
     (quote! { #states #parameters #bindings }, results)
@@ -161,10 +161,10 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
 /// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`, the unrolled elimination.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
-    let [parameters, slopes, _] = sizes(context, couplings);
+    let [parameters, slopes, _] = table_sizes(context, couplings);
     let given = (0..couplings.places.len()).map(|k| format_ident!("__d{k}"));
     let right = (0..couplings.order.len()).map(|i| format_ident!("__b{i}"));
-    let (filled, is_there) = emit_filled(couplings);
+    let (filled, is_there) = emit_matrix_entries(couplings);
     let factors = emit_factors(couplings, is_there);
     let solution = emit_solution(couplings);
     let results = (0..couplings.order.len()).map(|i| format_ident!("__b{i}"));
@@ -190,21 +190,21 @@ fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     }
 }
 
-fn entry(place: usize) -> Ident {
+fn entry_identifier(place: usize) -> Ident {
     format_ident!("__a{place}")
 }
 
 /// Emits the entries of A = I − εf′, and returns for each stored entry whether it is nonzero.
-fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
+fn emit_matrix_entries(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     let mut is_there = vec![false; couplings.columns.len()];
     let mut lines = TokenStream::new();
     for (k, &place) in couplings.places.iter().enumerate() {
-        let (value, slope) = (entry(place), format_ident!("__d{k}"));
+        let (value, slope) = (entry_identifier(place), format_ident!("__d{k}"));
         lines.extend(quote! { let #value = -(eps.clone() * #slope); });
         is_there[place] = true;
     }
     for row in &couplings.rows {
-        let diagonal = entry(row.diagonal);
+        let diagonal = entry_identifier(row.diagonal);
         lines.extend(match is_there[row.diagonal] {
             true => quote! { let #diagonal = __one.clone() + #diagonal; },
             false => quote! { let #diagonal = __one.clone(); },
@@ -221,8 +221,8 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     for row in rows {
         for left in row.own..row.diagonal {
             let above = &rows[columns[left]];
-            let (factor, reciprocal) = (entry(left), entry(above.diagonal));
-            let upper = (above.diagonal + 1..above.end).map(entry);
+            let (factor, reciprocal) = (entry_identifier(left), entry_identifier(above.diagonal));
+            let upper = (above.diagonal + 1..above.end).map(entry_identifier);
             lines.extend(quote! {
                 let #factor = #factor * #reciprocal.clone();
                 __is_refused |= #factor.is_better_pivot(&__most)
@@ -231,7 +231,7 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
             for upper in above.diagonal + 1..above.end {
                 let place = (row.own..row.end).find(|&place| columns[place] == columns[upper]);
                 let Some(place) = place else { unreachable!("what elimination fills in has a place") };
-                let (value, upper) = (entry(place), entry(upper));
+                let (value, upper) = (entry_identifier(place), entry_identifier(upper));
                 let before = if is_there[place] { quote!(#value) } else { quote!(__zero.clone()) };
                 lines.extend(quote! {
                     let #value = #before.subtract_product(#factor.clone(), #upper.clone());
@@ -239,7 +239,7 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
                 is_there[place] = true;
             }
         }
-        let pivot = entry(row.diagonal);
+        let pivot = entry_identifier(row.diagonal);
         lines.extend(quote! {
             __is_refused |= #pivot.is_zero();
             let #pivot = #pivot.reciprocal()?;
@@ -254,7 +254,7 @@ fn emit_solution(couplings: &Couplings) -> TokenStream {
     let right = |turn: usize| format_ident!("__b{}", order[turn]);
     let reduced = |start: TokenStream, places: &mut dyn Iterator<Item = usize>| {
         places.fold(start, |sum, place| {
-            let (value, known) = (entry(place), right(columns[place]));
+            let (value, known) = (entry_identifier(place), right(columns[place]));
             quote!(#sum.subtract_product(#value.clone(), #known.clone()))
         })
     };
@@ -267,7 +267,7 @@ fn emit_solution(couplings: &Couplings) -> TokenStream {
             lines.extend(quote! { let #own = #value; });
         }
         for turn in (first..end).rev() {
-            let (row, own, reciprocal) = (&rows[turn], right(turn), entry(rows[turn].diagonal));
+            let (row, own, reciprocal) = (&rows[turn], right(turn), entry_identifier(rows[turn].diagonal));
             let value = reduced(quote!(#own), &mut (row.diagonal + 1..row.end).rev());
             lines.extend(quote! { let #own = #value * #reciprocal; });
         }

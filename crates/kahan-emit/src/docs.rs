@@ -14,13 +14,13 @@ use super::Context;
 use super::lifted::Lifted;
 
 /// The largest length of a formula in bytes. Longer formulas are shown only by `kahan show`.
-const LONGEST: usize = 2_000;
+const MAX_FORMULA_BYTES: usize = 2_000;
 
 fn emit_lines(lines: &[String]) -> TokenStream {
     lines.iter().map(|line| quote!(#[doc = #line])).collect()
 }
 
-pub(super) fn stand_in(follows: bool) -> TokenStream {
+pub(super) fn placeholder_docs(follows: bool) -> TokenStream {
     let line = " The block has mistakes, which the compiler reports. This stands in for what it would be, \
                 and nothing that the block claims is proved.";
     let before = follows.then(|| quote!(#[doc = ""]));
@@ -31,7 +31,7 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
 /// first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
-        return stand_in(follows);
+        return placeholder_docs(follows);
     }
     let system = context.system;
     let states = &system.field.symbols.states;
@@ -52,7 +52,7 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if let Some(lift) = context.lifted.and_then(|lifted| lifted.lift.as_ref()) {
         push_lift(&mut lines, lift);
     }
-    push_block(&mut lines, "Matrix A(x,ε) = I − ε f′(x), row by row:", &rows(&formulas));
+    push_block(&mut lines, "Matrix A(x,ε) = I − ε f′(x), row by row:", &formula_rows(&formulas));
     match formulas.map() {
         Some(map) => {
             let images: Vec<String> =
@@ -64,12 +64,13 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
         ),
     }
     if let Some(step) = context.derived.step() {
-        lines.extend(domain("`step` and orbits keep", step.holds_to));
+        lines.extend(step_size_note("`step` and orbits keep", step.holds_to));
         let general = step.general.as_ref().filter(|general| general.holds_to < step.holds_to);
         let of_lanes = "Ensembles, and scalars other than `f32` and `f64`, keep";
-        lines.extend(general.into_iter().flat_map(|general| domain(of_lanes, general.holds_to)));
+        lines.extend(general.into_iter().flat_map(|general| step_size_note(of_lanes, general.holds_to)));
     }
-    let claims: Vec<String> = system.claims.iter().map(|claim| proved(context, claim)).collect();
+    let claims: Vec<String> =
+        system.claims.iter().map(|claim| claim_with_conditions(context, claim)).collect();
     if !claims.is_empty() {
         push_block(&mut lines, "Proved while compiling:", &claims);
     }
@@ -123,14 +124,14 @@ pub(super) fn project() -> TokenStream {
 }
 
 /// Returns the text of a claim, with the divisors that must be nonzero.
-fn proved(context: &Context<'_>, claim: &Claim) -> String {
+fn claim_with_conditions(context: &Context<'_>, claim: &Claim) -> String {
     let note = condition_note(context.system, claim);
     let text = claim_text(context.system, claim);
     if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
 /// Writes a paragraph about the norms ‖ε f′‖∞ up to which steps are accurate, if they are limited.
-fn domain(who: &str, holds_to: u32) -> Vec<String> {
+fn step_size_note(who: &str, holds_to: u32) -> Vec<String> {
     if holds_to == LARGEST_SIZE {
         return Vec::new();
     }
@@ -143,12 +144,12 @@ fn domain(who: &str, holds_to: u32) -> Vec<String> {
     ]
 }
 
-fn rows(formulas: &Formulas<'_>) -> Vec<String> {
+fn formula_rows(formulas: &Formulas<'_>) -> Vec<String> {
     formulas.matrix().iter().map(|row| format!("[ {} ]", row.join(", "))).collect()
 }
 
 fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
-    if text.iter().map(String::len).sum::<usize>() > LONGEST {
+    if text.iter().map(String::len).sum::<usize>() > MAX_FORMULA_BYTES {
         return;
     }
     lines.extend([String::new(), format!(" {title}"), String::new()]);
@@ -167,7 +168,7 @@ fn push_formulas(lines: &mut Vec<String>, formulas: &[String]) {
 pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
     let mut lines =
         vec![" The integrals of motion of the map at `x`; `eps` is ε, half the time step.".to_owned()];
-    let statements: Vec<String> = claims.iter().flat_map(|claim| statement(claim)).collect();
+    let statements: Vec<String> = claims.iter().flat_map(|claim| statement_lines(claim)).collect();
     push_block(&mut lines, "In order:", &statements);
     let poles = " Where a divisor is zero, floats are not finite and exact scalars panic.";
     lines.extend([String::new(), poles.to_owned()]);
@@ -176,8 +177,9 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
     /// Formulas with more characters are shown only in the documentation of `integrals`.
-    const SHORT: usize = 120;
-    let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
+    const MAX_SHOWN_FORMULA: usize = 120;
+    let formula =
+        statement_lines(claim).into_iter().next().filter(|formula| formula.len() <= MAX_SHOWN_FORMULA);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());
     emit_lines(&[format!(" The integral `{what}`, constant along orbits; `eps` is ε, half the time step.")])
 }
@@ -211,13 +213,13 @@ pub(super) fn accessor(context: &Context<'_>, claim: &Claim) -> TokenStream {
         ),
     };
     let mut lines = vec![introduction];
-    push_block(&mut lines, title, &statement(claim));
+    push_block(&mut lines, title, &statement_lines(claim));
     if !claim.is_unconditional() {
         lines.extend([String::new(), " At other parameters it says nothing of the map.".to_owned()]);
     }
     emit_lines(&lines)
 }
 
-fn statement(claim: &Claim) -> Vec<String> {
+fn statement_lines(claim: &Claim) -> Vec<String> {
     claim_statement(claim, &Text).into_iter().map(|(name, value)| format!("{name} = {value}")).collect()
 }

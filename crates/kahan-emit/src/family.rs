@@ -17,7 +17,7 @@ use kahan_algebra::syntax::Boundary;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::inputs::{binding, emit_bound_parameters};
+use super::input_bindings::{binding, emit_bound_parameters};
 use super::items::{Type, identifier};
 use super::plan::{Emitted, emit_kernel, emit_plan};
 use super::tokens::FlatTokens;
@@ -37,7 +37,7 @@ pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &FlatToken
     let context = Context { family, lines: family.lines(), this, line_scalar };
     let definition = context.this.emit_definition(|follows| context.documentation(follows));
     let implementations = context.emit_implementations(core);
-    context.this.emit_with(&quote! { #definition #implementations }, input)
+    context.this.emit_items_or_block(&quote! { #definition #implementations }, input)
 }
 
 impl Context<'_> {

@@ -6,8 +6,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Context;
-use super::coupled::{emit_parameters, sizes};
-use super::inputs::emit_inputs;
+use super::coupled::{emit_parameters, table_sizes};
+use super::input_bindings::emit_inputs;
 use super::plan::{Emitted, emit_plan};
 
 /// Expands to `impl<T: Scalar> QuadraticField<T, 3> for E6 { … }`.
@@ -77,7 +77,7 @@ fn emit_value_and_slope(
     };
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let own = emit_parameters(context, eps);
-    let [parameters, slopes, places] = sizes(context, couplings);
+    let [parameters, slopes, places] = table_sizes(context, couplings);
     let field = quote!(__kahan::CoupledField<#dimension, #parameters, #slopes, #places>);
     let value = quote! {
         __kahan::vector(<__Coupled as #field>::field::<#scalar>(&#own, __kahan::components(x)))

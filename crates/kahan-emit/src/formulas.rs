@@ -24,7 +24,7 @@ pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
 }
 
 /// Returns the stack depth of an operation, from the depths a and b of its operands.
-fn pair(a: usize, b: usize) -> usize {
+fn combined_depth(a: usize, b: usize) -> usize {
     if a == b { a + 1 } else { a.max(b) }
 }
 
@@ -36,11 +36,11 @@ fn depths(plan: &Plan) -> Vec<usize> {
         depths.push(match *operation {
             Operation::MultiplyAdd(a, b, c)
             | Operation::MultiplySubtract(a, b, c)
-            | Operation::SubtractProduct(c, a, b) => pair(pair(of(a), of(b)), of(c)),
+            | Operation::SubtractProduct(c, a, b) => combined_depth(combined_depth(of(a), of(b)), of(c)),
             _ => {
                 let mut operands = operation.operands();
                 match (operands.next(), operands.next()) {
-                    (Some(a), Some(b)) => pair(of(a), of(b)),
+                    (Some(a), Some(b)) => combined_depth(of(a), of(b)),
                     (Some(a), None) => of(a),
                     _ => 1,
                 }
@@ -80,24 +80,36 @@ impl PostfixWriter<'_> {
                 self.node(a);
                 quote!(Negate)
             }
-            Operation::Add(a, b) => self.two(Part::Of(a), Part::Of(b), ["Add"; 2]),
-            Operation::Subtract(a, b) => self.two(Part::Of(a), Part::Of(b), ["Subtract", "SubtractFrom"]),
-            Operation::Multiply(a, b) => self.two(Part::Of(a), Part::Of(b), ["Multiply"; 2]),
-            Operation::Divide(a, b) => self.two(Part::Of(a), Part::Of(b), ["Divide", "DivideInto"]),
-            Operation::MultiplyAdd(a, b, c) => self.two(Part::Product(a, b), Part::Of(c), ["Add"; 2]),
-            Operation::MultiplySubtract(a, b, c) => {
-                self.two(Part::Product(a, b), Part::Of(c), ["Subtract", "SubtractFrom"])
+            Operation::Add(a, b) => self.binary(PostfixOperand::Of(a), PostfixOperand::Of(b), ["Add"; 2]),
+            Operation::Subtract(a, b) => {
+                self.binary(PostfixOperand::Of(a), PostfixOperand::Of(b), ["Subtract", "SubtractFrom"])
             }
-            Operation::SubtractProduct(a, b, c) => {
-                self.two(Part::Of(a), Part::Product(b, c), ["Subtract", "SubtractFrom"])
+            Operation::Multiply(a, b) => {
+                self.binary(PostfixOperand::Of(a), PostfixOperand::Of(b), ["Multiply"; 2])
             }
+            Operation::Divide(a, b) => {
+                self.binary(PostfixOperand::Of(a), PostfixOperand::Of(b), ["Divide", "DivideInto"])
+            }
+            Operation::MultiplyAdd(a, b, c) => {
+                self.binary(PostfixOperand::Product(a, b), PostfixOperand::Of(c), ["Add"; 2])
+            }
+            Operation::MultiplySubtract(a, b, c) => self.binary(
+                PostfixOperand::Product(a, b),
+                PostfixOperand::Of(c),
+                ["Subtract", "SubtractFrom"],
+            ),
+            Operation::SubtractProduct(a, b, c) => self.binary(
+                PostfixOperand::Of(a),
+                PostfixOperand::Product(b, c),
+                ["Subtract", "SubtractFrom"],
+            ),
             Operation::Call(ref function, ..) => match *function {},
         };
         self.steps.extend(quote!(#step,));
     }
 
     /// Writes two operands, the deeper one first. Returns the second name if they are exchanged.
-    fn two(&mut self, a: Part, b: Part, names: [&str; 2]) -> TokenStream {
+    fn binary(&mut self, a: PostfixOperand, b: PostfixOperand, names: [&str; 2]) -> TokenStream {
         let is_exchanged = self.depth(b) > self.depth(a);
         let [first, second] = if is_exchanged { [b, a] } else { [a, b] };
         self.part(first);
@@ -106,18 +118,18 @@ impl PostfixWriter<'_> {
         quote!(#name)
     }
 
-    fn depth(&self, part: Part) -> usize {
+    fn depth(&self, part: PostfixOperand) -> usize {
         match part {
-            Part::Of(node) => self.depths[node.0],
-            Part::Product(a, b) => pair(self.depths[a.0], self.depths[b.0]),
+            PostfixOperand::Of(node) => self.depths[node.0],
+            PostfixOperand::Product(a, b) => combined_depth(self.depths[a.0], self.depths[b.0]),
         }
     }
 
-    fn part(&mut self, part: Part) {
+    fn part(&mut self, part: PostfixOperand) {
         match part {
-            Part::Of(node) => self.node(node),
-            Part::Product(a, b) => {
-                let product = self.two(Part::Of(a), Part::Of(b), ["Multiply"; 2]);
+            PostfixOperand::Of(node) => self.node(node),
+            PostfixOperand::Product(a, b) => {
+                let product = self.binary(PostfixOperand::Of(a), PostfixOperand::Of(b), ["Multiply"; 2]);
                 self.steps.extend(quote!(#product,));
             }
         }
@@ -126,7 +138,7 @@ impl PostfixWriter<'_> {
 
 /// An operand: a node of the plan, or the product inside a fused operation.
 #[derive(Clone, Copy)]
-enum Part {
+enum PostfixOperand {
     Of(Node),
     Product(Node, Node),
 }

@@ -43,7 +43,7 @@ pub(super) fn has_docs(attributes: &[Attribute]) -> bool {
 
 /// Removes from the user's `#[derive(…)]` the traits that the macro itself derives.
 fn without_our_derives(attribute: &mut Attribute) {
-    const OURS: [&str; 4] = ["Clone", "Copy", "Debug", "PartialEq"];
+    const DERIVED_TRAITS: [&str; 4] = ["Clone", "Copy", "Debug", "PartialEq"];
     if !attribute.path().is_ident("derive") {
         return;
     }
@@ -51,7 +51,9 @@ fn without_our_derives(attribute: &mut Attribute) {
     let kept: Vec<Path> = list
         .into_iter()
         .filter(|path| {
-            path.segments.last().is_none_or(|segment| !OURS.iter().any(|ours| segment.ident == ours))
+            path.segments
+                .last()
+                .is_none_or(|segment| !DERIVED_TRAITS.iter().any(|ours| segment.ident == ours))
         })
         .collect();
     *attribute = syn::parse_quote!(#[derive(#(#kept),*)]);

@@ -97,7 +97,7 @@ impl<'a> Type<'a> {
 
     /// Returns the items. Without a header, returns a Rust block that ends with
     /// `Field { mu: Clone::clone(&mu) }`, where `mu` is a variable in the user's scope.
-    pub(super) fn emit_with(&self, items: &TokenStream, input: &FlatTokens) -> TokenStream {
+    pub(super) fn emit_items_or_block(&self, items: &TokenStream, input: &FlatTokens) -> TokenStream {
         if self.header.is_some() {
             return items.clone();
         }
@@ -124,7 +124,7 @@ pub(super) const LISTS: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
 ///
 /// A state gets no constant if the name is in use. Only `E7<f64>` has the constants, so that
 /// `E7::X` needs no type annotation.
-pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
+pub(super) fn emit_state_indices(context: &Context<'_>) -> TokenStream {
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
     let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();
     let claimed = claims.iter().filter(|claim| claim.kind == ClaimKind::Integral);
@@ -153,8 +153,8 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
     let (this, generics) = (context.this.path(), context.this.generics());
-    let variables = emit_list("VARIABLES", "The state variables, in order.", &symbols.states);
-    let parameters = emit_list("PARAMETERS", "The parameters, in order.", &symbols.parameters);
+    let variables = emit_name_list("VARIABLES", "The state variables, in order.", &symbols.states);
+    let parameters = emit_name_list("PARAMETERS", "The parameters, in order.", &symbols.parameters);
     let text = quote!(&'static [&'static __kahan::str]);
     let parameters_too = context.this.has_parameters().then(|| {
         quote! {
@@ -174,7 +174,7 @@ pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     (named, quote! { #variables #parameters })
 }
 
-pub(super) fn emit_list(constant: &str, documentation: &str, names: &[String]) -> TokenStream {
+pub(super) fn emit_name_list(constant: &str, documentation: &str, names: &[String]) -> TokenStream {
     let constant = Ident::new(constant, Span::call_site());
     let length = Literal::usize_unsuffixed(names.len());
     let documentation = format!(" {documentation}");

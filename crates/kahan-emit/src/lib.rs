@@ -33,7 +33,7 @@ mod family;
 mod field;
 mod formulas;
 mod header;
-mod inputs;
+mod input_bindings;
 mod items;
 mod lifted;
 mod map;
@@ -94,7 +94,7 @@ pub struct Expansion {
 pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     let input = tokens::flatten(block);
     let block = read_block(&input);
-    Expansion { name: name(block.checked.header()), tokens: emit(core, block, &input) }
+    Expansion { name: type_name(block.checked.header()), tokens: emit(core, block, &input) }
 }
 
 struct ParsedBlock {
@@ -117,11 +117,11 @@ fn read_block(input: &FlatTokens) -> ParsedBlock {
 /// Mistakes become one `compile_error!` at the literal, with a caret under each position.
 #[must_use]
 pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> Expansion {
-    included(core, file, beside)
+    try_include(core, file, beside)
         .unwrap_or_else(|error| Expansion { name: "nothing".to_owned(), tokens: error.to_compile_error() })
 }
 
-fn included(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> syn::Result<Expansion> {
+fn try_include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> syn::Result<Expansion> {
     const WANTED: &str =
         "the path of a file is wanted\nhelp: write a literal, `include_kahan!(\"toda.kahan\")`";
     let literal: LitStr = syn::parse2(file).map_err(|error| syn::Error::new(error.span(), WANTED))?;
@@ -141,13 +141,13 @@ fn included(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> syn
         const _: &[::core::primitive::u8] = ::core::include_bytes!(#path);
     );
     let header = block.checked.header();
-    let (name, is_item) = (name(header), header.is_some());
+    let (name, is_item) = (type_name(header), header.is_some());
     let emitted = emit(core, block, &input);
     let tokens = if is_item { quote!(#watched #emitted) } else { quote!({ #watched #emitted }) };
     Ok(Expansion { name, tokens })
 }
 
-fn name(header: Option<&Header>) -> String {
+fn type_name(header: Option<&Header>) -> String {
     header.map_or("field", |header| header.name.text.as_str()).to_owned()
 }
 
@@ -205,7 +205,7 @@ fn emit_broken(
         };
     }
     let this = Type::of(header.as_ref(), &symbols.parameters, site_parameters, input);
-    let definition = this.emit_definition(docs::stand_in);
+    let definition = this.emit_definition(docs::placeholder_docs);
     quote! { #errors #definition }
 }
 
@@ -223,12 +223,12 @@ fn emit_system(
     let context = Context { system, derived, this, lifted, dimension, is_proved };
     let definition = context.this.emit_definition(|follows| docs::system(&context, follows));
     let implementations = emit_implementations(core, &context);
-    context.this.emit_with(&quote! { #definition #implementations }, input)
+    context.this.emit_items_or_block(&quote! { #definition #implementations }, input)
 }
 
 fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStream {
     let (named, names) = items::emit_names(context);
-    let places = context.system.header.as_ref().map(|_| items::emit_places(context));
+    let places = context.system.header.as_ref().map(|_| items::emit_state_indices(context));
     let field = field::emit_field(context);
     let map = map::emit_map(context);
     let EmittedClaims { constants, methods, implementations } = claims::emit_claims(context);

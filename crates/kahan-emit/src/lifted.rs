@@ -9,7 +9,9 @@ use kahan_algebra::parse::{parse, parse_lifted};
 use kahan_algebra::plan::Node;
 use kahan_algebra::prove::check_claims;
 use kahan_algebra::symbols::{Symbol, Symbols};
-use kahan_algebra::syntax::{Block, ClaimKind, Constant, Equation, Header, InFormula, Name, WrittenTokens};
+use kahan_algebra::syntax::{
+    Block, ClaimKind, Constant, Equation, FormulaSyntax, Header, Name, WrittenTokens,
+};
 use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::{Span, Token};
 use kahan_algebra::{check_unproved, seed};
@@ -17,12 +19,12 @@ use kahan_lift::{CalledFunction, Embedding, Input, Lift, Operation, Options, lif
 use proc_macro2::{Literal, Punct, Spacing, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use super::inputs::binding;
-use super::items::{emit_list, identifier};
+use super::input_bindings::binding;
+use super::items::{emit_name_list, identifier};
 use super::{Context, docs};
 
 /// The budget of the search for a lift. More would take too long in an unoptimised macro.
-const NODES: usize = 200;
+const LIFT_SEARCH_BUDGET: usize = 200;
 
 pub(super) struct Lifted {
     /// The number of original states, including the time `t` if time occurs.
@@ -39,17 +41,17 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     drop(mistakes.finish());
     let place = block.header.as_ref().map_or(block.lift, |header| Some(header.name.span));
     let place = place.unwrap_or(Span::token(0));
-    let lifted = lift(tokens, &Options { budget: NODES, ..Options::default() });
+    let lifted = lift(tokens, &Options { budget: LIFT_SEARCH_BUDGET, ..Options::default() });
     let lift = match lifted {
         Ok(lift) => lift,
         Err(mut diagnostics) => {
             diagnostics.iter_mut().for_each(|mistake| name_command(mistake, place));
-            return broken(block, diagnostics);
+            return placeholder_lift(block, diagnostics);
         }
     };
     let header = block.header.clone();
     let checked = match check_unproved(lifted_block(block, &lift, tokens, place)) {
-        Checked::System(system) => proved(System { header, ..system }, &lift, tokens),
+        Checked::System(system) => with_proved_claims(System { header, ..system }, &lift, tokens),
         Checked::Broken(mut broken) => {
             broken.stand_in.header = header;
             Checked::Broken(broken)
@@ -70,7 +72,7 @@ fn name_command(mistake: &mut Diagnostic, place: Span) {
 }
 
 /// Returns a stand-in with the states of a block that could not be lifted.
-fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Lifted) {
+fn placeholder_lift(block: Block<FormulaSyntax>, diagnostics: Vec<Diagnostic>) -> (Checked, Lifted) {
     let mut states: Vec<String> = Vec::new();
     for equation in block.equations {
         if !states.contains(&equation.state.text) {
@@ -88,7 +90,7 @@ fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Li
 
 /// Returns the block with lifted equations. Without a header, the block declares the original
 /// parameters, because some may occur only in initial values.
-fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: Span) -> Block {
+fn lifted_block(block: Block<FormulaSyntax>, lift: &Lift, tokens: &[Token], place: Span) -> Block {
     let mut none = Diagnostics::default();
     let equations = parse(&lex(&lift.text()).tokens, &mut none).equations;
     assert!(none.finish().is_empty(), "a lift is written in the language of blocks");
@@ -123,7 +125,7 @@ fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: S
 }
 
 /// Returns the system if its claims hold. Otherwise returns a stand-in and the mistakes.
-fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
+fn with_proved_claims(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     let mut diagnostics = Diagnostics::default();
     check_claims(&system, seed(tokens), &mut diagnostics);
     let mut diagnostics = diagnostics.finish();
@@ -198,9 +200,9 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     let relations = lifted.lift.iter().flat_map(|lift| &lift.relations);
     let relations: Vec<String> = relations.map(|relation| relation.text.clone()).collect();
     let new = "The variables beyond the states, in order.";
-    let new = emit_list(LISTS[0], new, &lifted.new_variables());
+    let new = emit_name_list(LISTS[0], new, &lifted.new_variables());
     let zero = "Relations between the variables: each is 0 at an embedded point.";
-    let relations = emit_list(LISTS[1], zero, &relations);
+    let relations = emit_name_list(LISTS[1], zero, &relations);
     quote! { #new #relations }
 }
 
@@ -210,7 +212,7 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));
     let vector = quote!(__kahan::SVector<#scalar, #count>);
     let [embed, project] = [docs::embed(lifted), docs::project()]
-        .map(|own| if context.is_proved { own } else { docs::stand_in(false) });
+        .map(|own| if context.is_proved { own } else { docs::placeholder_docs(false) });
     let first_values = emit_first_values(context, lifted);
     let of_type = context.this.generics();
     let generics = |bound: TokenStream| match of_type {

@@ -7,9 +7,9 @@ use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::coupled::{emit_coupled, emit_parameters, sizes};
+use super::coupled::{emit_coupled, emit_parameters, table_sizes};
 use super::field::{emit_body, emit_coefficients_of_eps};
-use super::inputs::{emit_bound_parameters, emit_pattern};
+use super::input_bindings::{emit_bound_parameters, emit_pattern};
 use super::items::identifier;
 use super::plan::{Emitted, emit_kernel};
 use super::step::{EmittedStep, emit_step};
@@ -74,7 +74,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;
-    let [parameters, slopes, places] = sizes(context, couplings);
+    let [parameters, slopes, places] = table_sizes(context, couplings);
     let own = emit_parameters(context, &quote!(eps.clone()));
     quote! {
         type Prepared = __kahan::CoupledStep<__Coupled, #scalar, #dimension, #parameters, #slopes, #places>;

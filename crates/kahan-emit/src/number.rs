@@ -6,14 +6,14 @@ use quote::{format_ident, quote};
 
 /// Emits a constant, such as `__kahan::integer::<T>(3)` or `__kahan::ratio::<T>(1, 2)`.
 pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
-    if let Some((kind, parts)) = short(value) {
+    if let Some((kind, parts)) = short_constant(value) {
         return quote!(__kahan::#kind::<#scalar>(#parts));
     }
     let exact = emit_exact(value);
     quote!(<#scalar as __kahan::Scalar>::constant(&#exact))
 }
 
-fn short(value: &Rational) -> Option<(Ident, TokenStream)> {
+fn short_constant(value: &Rational) -> Option<(Ident, TokenStream)> {
     if let Some(integer) = value.as_i64() {
         let integer = Literal::i64_unsuffixed(integer);
         return Some((format_ident!("integer"), quote!(#integer)));
@@ -23,7 +23,7 @@ fn short(value: &Rational) -> Option<(Ident, TokenStream)> {
 }
 
 pub(super) fn emit_exact(value: &Rational) -> TokenStream {
-    if let Some((kind, parts)) = short(value) {
+    if let Some((kind, parts)) = short_constant(value) {
         return quote!(__kahan::Constant::#kind(#parts));
     }
     let negative = value.is_negative();

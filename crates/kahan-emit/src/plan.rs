@@ -14,12 +14,12 @@ use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
-use super::inputs::binding;
+use super::input_bindings::binding;
 use super::names;
 use super::number::emit_constant;
 
 /// The nesting depth beyond which a value gets a `let`, which protects the stack of rustc.
-const DEEPEST: usize = 24;
+const MAX_NESTING: usize = 24;
 
 /// The Rust code of a plan: bindings, and one expression for each result, to be used in order.
 pub(super) struct Emitted {
@@ -86,7 +86,7 @@ struct Emitter<'a> {
     bindings: TokenStream,
 }
 
-/// Emits a plan whose inputs were bound by [`emit_inputs`](super::inputs::emit_inputs).
+/// Emits a plan whose inputs were bound by [`emit_inputs`](super::input_bindings::emit_inputs).
 pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitted {
     Emitter::new(plan, symbols, scalar, None).run()
 }
@@ -164,7 +164,7 @@ impl<'a> Emitter<'a> {
         if is_borrowed || self.uses[index] == 0 {
             return;
         }
-        if self.uses[index] > 1 || depth > DEEPEST || is_quotient {
+        if self.uses[index] > 1 || depth > MAX_NESTING || is_quotient {
             let value = self.operation(index).tokens;
             let name = names::binding(&mut self.names, Node(index), operation);
             let value = if self.has_fences { quote!(__kahan::fenced(#value)) } else { value };

@@ -12,7 +12,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::inputs::{emit_inputs, emit_owned_states};
+use super::input_bindings::{emit_inputs, emit_owned_states};
 use super::plan::{Emitted, emit_kernel, emit_plan};
 use kahan_algebra::derived::constant_names;
 

@@ -9,7 +9,7 @@ use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 
-use super::lifted;
+use super::hensel;
 use super::sparse::Residues;
 
 #[derive(Default)]
@@ -25,7 +25,7 @@ impl CrtFactors {
         let prime = BigInt::from(field.prime());
         if self.factors.is_empty() {
             let symmetric = |(exponents, value): (Vec<u32>, u64)| {
-                (exponents, lifted::symmetric(&BigInt::from(value), &prime))
+                (exponents, hensel::symmetric_residue(&BigInt::from(value), &prime))
             };
             self.factors =
                 residues.into_iter().map(|factor| factor.into_iter().map(symmetric).collect()).collect();
@@ -41,9 +41,9 @@ impl CrtFactors {
             }
             for (exponents, value) in known {
                 let residue = BigInt::from(residues.get(exponents).copied().unwrap_or(0));
-                let digit = lifted::symmetric(&((residue - &*value) * &inverse), &prime);
+                let digit = hensel::symmetric_residue(&((residue - &*value) * &inverse), &prime);
                 is_news |= digit != BigInt::default();
-                *value = lifted::symmetric(&(&*value + &self.modulus * digit), &modulus);
+                *value = hensel::symmetric_residue(&(&*value + &self.modulus * digit), &modulus);
             }
         }
         self.modulus = modulus;

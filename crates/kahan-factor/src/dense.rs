@@ -95,7 +95,7 @@ pub fn quotient_and_rest(field: PrimeField, a: &[u64], b: &[u64]) -> (Dense, Den
     (trimmed(quotient), trimmed(rest))
 }
 
-pub(super) fn rest(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
+pub(super) fn remainder(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     quotient_and_rest(field, a, b).1
 }
 
@@ -104,7 +104,7 @@ pub(super) fn rest(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
 pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     let (mut a, mut b) = (a.to_vec(), b.to_vec());
     while !b.is_empty() {
-        (a, b) = (b.clone(), rest(field, &a, &b));
+        (a, b) = (b.clone(), remainder(field, &a, &b));
     }
     monic(field, &a)
 }
@@ -112,23 +112,23 @@ pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
 /// Returns the inverse of a modulo `modulus`. Returns `None` if both have a common divisor.
 pub(super) fn inverse(field: PrimeField, a: &[u64], modulus: &[u64]) -> Option<Dense> {
     // Each pair (r, s) satisfies r = s·a modulo `modulus`.
-    let (mut upper, mut lower) = ((modulus.to_vec(), vec![]), (rest(field, a, modulus), vec![1]));
+    let (mut upper, mut lower) = ((modulus.to_vec(), vec![]), (remainder(field, a, modulus), vec![1]));
     while lower.0.len() > 1 {
         let (quotient, rest) = quotient_and_rest(field, &upper.0, &lower.0);
         let next = difference(field, &upper.1, &product(field, &quotient, &lower.1));
         (upper, lower) = (lower, (rest, next));
     }
     let unit = field.inverse(*lower.0.first()?)?;
-    Some(rest(field, &product(field, &lower.1, &[unit]), modulus))
+    Some(remainder(field, &product(field, &lower.1, &[unit]), modulus))
 }
 
 pub(super) fn power(field: PrimeField, a: &[u64], mut exponent: u64, modulus: &[u64]) -> Dense {
-    let (mut power, mut base) = (rest(field, &[1], modulus), rest(field, a, modulus));
+    let (mut power, mut base) = (remainder(field, &[1], modulus), remainder(field, a, modulus));
     while exponent > 0 {
         if exponent & 1 == 1 {
-            power = rest(field, &product(field, &power, &base), modulus);
+            power = remainder(field, &product(field, &power, &base), modulus);
         }
-        base = rest(field, &product(field, &base, &base), modulus);
+        base = remainder(field, &product(field, &base, &base), modulus);
         exponent >>= 1;
     }
     power
@@ -146,7 +146,7 @@ pub fn derivative(field: PrimeField, a: &[u64]) -> Dense {
 pub(super) fn partial_fractions(field: PrimeField, factors: &[Dense]) -> Option<Vec<Dense>> {
     let cofactor = |skipped: usize, modulus: &Dense| {
         let others = factors.iter().enumerate().filter(|(index, _)| *index != skipped);
-        others.fold(vec![1], |so_far, (_, other)| rest(field, &product(field, &so_far, other), modulus))
+        others.fold(vec![1], |so_far, (_, other)| remainder(field, &product(field, &so_far, other), modulus))
     };
     factors.iter().enumerate().map(|(index, f)| inverse(field, &cofactor(index, f), f)).collect()
 }

@@ -10,7 +10,7 @@
 
 mod crt_factors;
 pub mod dense;
-mod lifted;
+mod hensel;
 mod modular;
 mod multivariate;
 mod root;

@@ -38,7 +38,7 @@ pub(super) fn by_degree(field: PrimeField, polynomial: &[u64]) -> Vec<EqualDegre
         let product = dense::gcd(field, &dense::difference(field, &frobenius, &[0, 1]), &rest);
         if product.len() > 1 {
             rest = dense::quotient_and_rest(field, &rest, &product).0;
-            frobenius = dense::rest(field, &frobenius, &rest);
+            frobenius = dense::remainder(field, &frobenius, &rest);
             parts.push(EqualDegree { product, degree });
         }
     }
@@ -60,7 +60,7 @@ pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitM
         let (mut conjugate, mut norm) = (draw.clone(), draw);
         for _ in 1..part.degree {
             conjugate = dense::power(field, &conjugate, field.prime(), &product);
-            norm = dense::rest(field, &dense::product(field, &norm, &conjugate), &product);
+            norm = dense::remainder(field, &dense::product(field, &norm, &conjugate), &product);
         }
         let sign = dense::power(field, &norm, (field.prime() - 1) / 2, &product);
         let common = dense::gcd(field, &dense::difference(field, &sign, &[1]), &product);

@@ -15,9 +15,9 @@ use super::sparse::{self, SparseLiftingProblem};
 use super::{Powers, irreducible, univariate, without_monomial};
 
 /// Limits the attempts with new points. Each attempt draws its points from a larger range.
-const ROUNDS: u32 = 8;
+const MAX_ATTEMPTS: u32 = 8;
 /// Each attempt compares this many images and lifts the one with the fewest factors.
-const IMAGES: usize = 2;
+const IMAGES_PER_ATTEMPT: usize = 2;
 
 /// Returns the irreducible factors with their exponents. Returns `None` if no image can be lifted.
 pub(super) fn factors(
@@ -32,9 +32,9 @@ pub(super) fn factors(
     order.insert(0, main);
     let mut rng = SplitMix64::new(whole.len() as u64);
     let mut lead = None;
-    for round in 0..ROUNDS {
+    for round in 0..MAX_ATTEMPTS {
         let mut best: Option<Image> = None;
-        for _ in 0..IMAGES {
+        for _ in 0..IMAGES_PER_ATTEMPT {
             let Some(image) = Image::at(whole, &order, 8 << (2 * round), &mut rng, budget)? else { continue };
             if image.is_irreducible() {
                 return Ok(Some(vec![(whole.clone(), 1)]));
@@ -129,7 +129,7 @@ impl Image {
             let Some(residues) = sparse::lift(field, &problem, rng, budget)? else { continue };
             let is_news = known.combine(field, residues);
             let candidates = known.factors(order);
-            if self.agree(whole, lead, &multipliers, &candidates) {
+            if self.agrees_at_point(whole, lead, &multipliers, &candidates) {
                 let mut factors = Vec::new();
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.without_multiplier(candidate, budget)?, *exponent));
@@ -153,7 +153,7 @@ impl Image {
 
     /// Tests lead·∏ candidate^k = whole·∏ multiplier^k at one point modulo a prime, where k are the
     /// exponents.
-    fn agree(
+    fn agrees_at_point(
         &self,
         whole: &Polynomial,
         lead: &LeadingCoefficient,

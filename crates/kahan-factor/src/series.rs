@@ -86,7 +86,7 @@ fn lift_monic(
         let mut before: Dense = Vec::new();
         for index in 0..lifted.len() {
             let image = lifted[index][0].clone();
-            let digit = dense::rest(field, &dense::product(field, &error, &inverses[index]), &image);
+            let digit = dense::remainder(field, &dense::product(field, &error, &inverses[index]), &image);
             let mut sums = vec![0; whole.len()];
             dense::add_product(field, &mut sums, &before, &image);
             match index {

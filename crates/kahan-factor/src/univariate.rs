@@ -13,14 +13,14 @@ use num_integer::Integer;
 use num_traits::{Signed, Zero};
 
 use super::dense::{self, Dense};
-use super::lifted::{self, Lifted};
+use super::hensel::{self, HenselLift};
 use super::{modular, square_free};
 
 /// The coefficients of a polynomial, ordered by exponent. The last coefficient is positive.
 pub(super) type Integers = Vec<BigInt>;
 
 /// This many primes are compared. The prime with the fewest factors is used for the lift.
-const PRIMES: usize = 5;
+const COMPARED_PRIMES: usize = 5;
 /// The search for primes begins here. Two factors rarely have a common root modulo a prime this
 /// large.
 const FIRST_PRIME: u64 = 1009;
@@ -34,7 +34,7 @@ pub(super) fn factors(
     let mut all = Vec::new();
     for (part, exponent) in square_free::yun(polynomial, main, budget)? {
         let degree = part.degree() as usize;
-        budget.charge(effort(degree))?;
+        budget.charge(separation_work(degree))?;
         let coefficient = |power: usize| part.coefficient(&Monomial::power(main, power as u32)).numerator();
         for factor in irreducible((0..=degree).map(coefficient).collect(), budget)? {
             let terms = factor.into_iter().enumerate();
@@ -55,11 +55,11 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     let mut best: Option<(PrimeField, Vec<modular::EqualDegree>, usize)> = None;
     let mut tried = 0;
     for prime in (FIRST_PRIME..).step_by(2).filter(|&n| is_prime_u64(n)) {
-        budget.charge(effort(degree))?;
+        budget.charge(separation_work(degree))?;
         let Some((field, image)) = good_image(&polynomial, prime) else { continue };
         let parts = modular::by_degree(field, &image);
         let count = parts.iter().map(modular::EqualDegree::count).sum();
-        possible.meet(&DegreeSet::sums(degree, &parts));
+        possible.intersect(&DegreeSet::sums(degree, &parts));
         if possible.is_trivial() {
             return Ok(vec![polynomial]);
         }
@@ -67,7 +67,7 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
             best = Some((field, parts, count));
         }
         tried += 1;
-        if tried == PRIMES {
+        if tried == COMPARED_PRIMES {
             break;
         }
     }
@@ -75,12 +75,12 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     let mut rng = SplitMix64::new(field.prime());
     let images: Vec<Dense> =
         parts.into_iter().flat_map(|part| modular::irreducible(field, part, &mut rng)).collect();
-    let lifted = lifted::lift(field, &images, &polynomial, &(coefficient_bound(&polynomial) * 2), budget)?;
+    let lifted = hensel::lift(field, &images, &polynomial, &(coefficient_bound(&polynomial) * 2), budget)?;
     recombine(polynomial, lifted, budget)
 }
 
 /// Returns the work that separating factors by degree takes modulo one small prime.
-fn effort(degree: usize) -> u64 {
+fn separation_work(degree: usize) -> u64 {
     (degree as u64).saturating_pow(3).saturating_mul(8) / RESIDUES_PER_TERM + degree as u64
 }
 
@@ -116,7 +116,7 @@ impl DegreeSet {
         Self(possible)
     }
 
-    fn meet(&mut self, other: &Self) {
+    fn intersect(&mut self, other: &Self) {
         for (own, other) in self.0.iter_mut().zip(&other.0) {
             *own &= other;
         }
@@ -135,8 +135,12 @@ fn coefficient_bound(polynomial: &Integers) -> BigInt {
 }
 
 /// Finds the true factors as products of lifted factors. Products of few factors are tried first.
-fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
-    let Lifted { modulus, mut factors } = lifted;
+fn recombine(
+    mut whole: Integers,
+    lifted: HenselLift,
+    budget: &mut Budget,
+) -> Result<Vec<Integers>, OverBudget> {
+    let HenselLift { modulus, mut factors } = lifted;
     let words = modulus.bits() / 64 + 1;
     let mut found = Vec::new();
     let mut chosen = vec![0];
@@ -151,7 +155,7 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
             }
             // All smaller sets were tried before, so continue with the first set of this size.
             chosen = (0..chosen.len()).collect();
-        } else if !advance(&mut chosen, factors.len()) {
+        } else if !next_subset(&mut chosen, factors.len()) {
             chosen = (0..=chosen.len()).collect();
         }
     }
@@ -162,7 +166,7 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
 }
 
 /// Advances to the next subset of equal size. Returns `false` after the last subset.
-fn advance(chosen: &mut [usize], count: usize) -> bool {
+fn next_subset(chosen: &mut [usize], count: usize) -> bool {
     let size = chosen.len();
     let Some(place) = (0..size).rev().find(|&place| chosen[place] < count - size + place) else {
         return false;
@@ -182,10 +186,10 @@ fn candidate<'a>(
     modulus: &BigInt,
 ) -> Integers {
     let lead = vec![whole[whole.len() - 1].clone()];
-    let mut product = factors.fold(lead, |so_far, factor| lifted::product(&so_far, factor, modulus));
+    let mut product = factors.fold(lead, |so_far, factor| hensel::product(&so_far, factor, modulus));
     let mut content = BigInt::zero();
     for coefficient in &mut product {
-        *coefficient = lifted::symmetric(coefficient, modulus);
+        *coefficient = hensel::symmetric_residue(coefficient, modulus);
         content = content.gcd(coefficient);
     }
     for coefficient in &mut product {

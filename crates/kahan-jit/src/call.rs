@@ -62,7 +62,7 @@ impl<T: 'static> Code<T> {
         self.check(state, constants);
         let state = written(state);
         // SAFETY: `check` bounds the slices, and `state` is borrowed exclusively.
-        unsafe { self.enter([state, read(constants), counted(steps), state, 0]) }
+        unsafe { self.enter([state, read(constants), step_count(steps), state, 0]) }
     }
 
     /// Runs one round from `state` to `next`, for code that writes the state only at the end.
@@ -92,7 +92,7 @@ impl<T: 'static> Code<T> {
         }
         assert!(count > 0, "at least one stage");
         // SAFETY: `check` bounds the slices, `state` is exclusive, and `table` holds every stage.
-        unsafe { self.enter([written(state), read(&table), count, counted(steps), 0]) }
+        unsafe { self.enter([written(state), read(&table), count, step_count(steps), 0]) }
     }
 
     fn check(&self, state: &[T], constants: &[T]) {
@@ -148,7 +148,7 @@ impl<T: 'static> Code<T> {
         // SAFETY: the columns have equal lengths, which are multiples of the register width, and
         // are borrowed exclusively. The table holds their addresses. The constants are long enough
         // for the last register.
-        unsafe { self.enter([read(&table), bytes(len), read(constants), bytes(stride), counted(steps)]) }
+        unsafe { self.enter([read(&table), bytes(len), read(constants), bytes(stride), step_count(steps)]) }
     }
 
     /// Enters the code.
@@ -188,6 +188,6 @@ fn written<T>(numbers: &mut [T]) -> usize {
 }
 
 /// Converts a number of steps to `usize`. Larger numbers never complete, and become `usize::MAX`.
-fn counted(steps: u64) -> usize {
+fn step_count(steps: u64) -> usize {
     usize::try_from(steps).unwrap_or(usize::MAX)
 }

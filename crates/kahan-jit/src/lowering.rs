@@ -19,9 +19,9 @@ pub(crate) enum ResultDestination {
 }
 
 /// The constant −0. A negation flips the sign bit by xor with this constant.
-pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
+pub(crate) const SIGN_BIT: Instruction = Constant(Float::of(-0.0));
 
-/// Lowers a program. If the program negates a number, the constant [`SIGN`] is added.
+/// Lowers a program. If the program negates a number, the constant [`SIGN_BIT`] is added.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: ResultDestination) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
     // Unneeded operations are skipped. Their entries in `places` are invalid, and are not read.
@@ -48,7 +48,7 @@ impl Lowering {
             Negate(a) => match self.lowered.operations()[a.0] {
                 Constant(number) => Constant(Float::of(-number.value())),
                 _ => {
-                    self.lowered.push(SIGN);
+                    self.lowered.push(SIGN_BIT);
                     operation
                 }
             },

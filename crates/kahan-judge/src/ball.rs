@@ -15,9 +15,9 @@ pub(crate) struct Ball {
 const RADIUS_BITS: u64 = 31;
 
 /// Returns an upper bound of |value| with about `RADIUS_BITS` bits.
-fn up(value: &Dyadic) -> Dyadic {
+fn upper_bound(value: &Dyadic) -> Dyadic {
     let size = value.clone().abs();
-    match size.cut(RADIUS_BITS) {
+    match size.truncated(RADIUS_BITS) {
         None => size,
         Some((cut, unit)) => &cut + &Dyadic::new(1, unit),
     }
@@ -31,9 +31,9 @@ impl Ball {
     /// Rounds the middle to `bits` bits, and enlarges the radius by the rounding error.
     pub(crate) fn rounded(self, bits: u64) -> Self {
         let Self { middle, radius } = self;
-        match middle.cut(bits) {
+        match middle.truncated(bits) {
             None => Self { middle, radius },
-            Some((middle, unit)) => Self { middle, radius: up(&(&radius + &Dyadic::new(1, unit))) },
+            Some((middle, unit)) => Self { middle, radius: upper_bound(&(&radius + &Dyadic::new(1, unit))) },
         }
     }
 
@@ -59,13 +59,13 @@ impl Ball {
     }
 
     pub(crate) fn plus(&self, other: &Self, bits: u64) -> Self {
-        let radius = up(&(&self.radius + &other.radius));
+        let radius = upper_bound(&(&self.radius + &other.radius));
         let (high, low) =
             if self.middle.binade() >= other.middle.binade() { (self, other) } else { (other, self) };
         match (high.middle.binade(), low.middle.binade()) {
             // A number far below the last bit of the sum only enlarges the radius.
             (Some(above), Some(below)) if above - below > bits as i64 + 8 => {
-                let radius = up(&(&radius + &up(&low.middle)));
+                let radius = upper_bound(&(&radius + &upper_bound(&low.middle)));
                 Self { middle: high.middle.clone(), radius }.rounded(bits)
             }
             _ => Self { middle: &self.middle + &other.middle, radius }.rounded(bits),
@@ -80,9 +80,9 @@ impl Ball {
         if self.is_zero() || other.is_zero() {
             return Self::exactly(Dyadic::zero());
         }
-        let one = &up(&self.middle) * &other.radius;
-        let two = &self.radius * &(&up(&other.middle) + &other.radius);
-        Self { middle: &self.middle * &other.middle, radius: up(&(&one + &two)) }.rounded(bits)
+        let one = &upper_bound(&self.middle) * &other.radius;
+        let two = &self.radius * &(&upper_bound(&other.middle) + &other.radius);
+        Self { middle: &self.middle * &other.middle, radius: upper_bound(&(&one + &two)) }.rounded(bits)
     }
 
     /// Divides by a ball that [excludes 0](Self::is_not_zero).
@@ -93,13 +93,13 @@ impl Ball {
         // Let â and b̂ be the middles of a and b. Then a/b − â/b̂ = [(a − â) − (â/b̂)(b − b̂)]/b.
         let (middle, unit) = self.middle.quotient(&divisor.middle, bits);
         let unit = Dyadic::new(1, unit);
-        let by_divisor = &(&up(&middle) + &unit) * &divisor.radius;
-        let mut radius = up(&(&self.radius + &by_divisor));
+        let by_divisor = &(&upper_bound(&middle) + &unit) * &divisor.radius;
+        let mut radius = upper_bound(&(&self.radius + &by_divisor));
         if !radius.is_zero() {
             let (quotient, beyond) = radius.quotient(&divisor.least(), RADIUS_BITS);
             radius = &quotient + &Dyadic::new(1, beyond);
         }
-        Self { middle, radius: up(&(&radius + &unit)) }
+        Self { middle, radius: upper_bound(&(&radius + &unit)) }
     }
 
     pub(crate) fn absolute(self) -> Self {
@@ -118,7 +118,8 @@ mod tests {
     fn drawn(random: &mut SplitMix64) -> (Ball, BigRational) {
         let integer = random.next_u64() as i64 >> random.below(60);
         let middle = Dyadic::new(integer, random.below(40) as i64 - 20);
-        let radius = up(&Dyadic::new(random.next_u64() >> random.below(64), random.below(30) as i64 - 70));
+        let radius =
+            upper_bound(&Dyadic::new(random.next_u64() >> random.below(64), random.below(30) as i64 - 70));
         let share = Dyadic::new(random.below(257) as i64 - 128, -7);
         let inside = (&middle + &(&share * &radius)).rational().to_big();
         (Ball { middle, radius }, inside)

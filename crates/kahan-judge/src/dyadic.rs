@@ -70,7 +70,7 @@ impl Dyadic {
 
     /// Truncates to the leading `bits` bits, and returns e such that the error is less than 2^e.
     /// Returns `None` if the number has at most `bits` bits.
-    pub(crate) fn cut(&self, bits: u64) -> Option<(Self, i64)> {
+    pub(crate) fn truncated(&self, bits: u64) -> Option<(Self, i64)> {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
             let exponent = self.exponent + excess as i64;

@@ -49,9 +49,9 @@ impl<T: Float> InputSampler<'_, T> {
         match regime {
             Regime::Ordinary => self.ordinary(),
             Regime::MixedMagnitudes => self.mixed(),
-            Regime::NearPole => self.beside(false, regime),
-            Regime::NearRemovablePole => self.beside(true, regime),
-            Regime::Subnormal => self.altered(regime, |points| {
+            Regime::NearPole => self.near_pole(false, regime),
+            Regime::NearRemovablePole => self.near_pole(true, regime),
+            Regime::Subnormal => self.inputs_in_regime(regime, |points| {
                 let binade = points.between(T::FORMAT.least_binade - T::BITS + 1, T::FORMAT.least_binade - 1);
                 points.float(binade)
             }),
@@ -59,7 +59,9 @@ impl<T: Float> InputSampler<'_, T> {
                 let inputs = Inputs { regime, ..self.ordinary() };
                 self.with_size(inputs, 0, 9)
             }
-            Regime::NotFinite => self.altered(regime, |points| T::not_finite(points.random.next_u64())),
+            Regime::NotFinite => {
+                self.inputs_in_regime(regime, |points| T::not_finite(points.random.next_u64()))
+            }
         }
     }
 
@@ -83,7 +85,7 @@ impl<T: Float> InputSampler<'_, T> {
         let sizes: Vec<i64> =
             (0..self.judge.equation().dimension()).map(|_| binade + self.between(-5, 1)).collect();
         let eps = self.between(-10, -1) - binade;
-        self.inputs(Regime::Ordinary, &sizes, eps)
+        self.draw_inputs(Regime::Ordinary, &sizes, eps)
     }
 
     fn mixed(&mut self) -> Inputs<T> {
@@ -111,12 +113,12 @@ impl<T: Float> InputSampler<'_, T> {
                 (sizes, self.between(-T::EPS_BINADES, T::EPS_BINADES))
             }
         };
-        let inputs = self.inputs(Regime::MixedMagnitudes, &sizes, eps);
+        let inputs = self.draw_inputs(Regime::MixedMagnitudes, &sizes, eps);
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -60, 10) } else { inputs }
     }
 
     /// Moves one variable of a point near a pole, or near a removable pole.
-    fn beside(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
+    fn near_pole(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
         const ATTEMPTS: usize = 12;
         for _ in 0..ATTEMPTS {
             let mut inputs = if self.random.below(2) == 0 { self.ordinary() } else { self.mixed() };
@@ -140,7 +142,7 @@ impl<T: Float> InputSampler<'_, T> {
     }
 
     /// Replaces one or two numbers of an ordinary point: coordinates, ε, or drawn parameters.
-    fn altered(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
+    fn inputs_in_regime(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
         let (n, epsilon) = (self.judge.equation().dimension(), self.judge.equation().epsilon());
         let drawn = (n..epsilon).filter(|variable| self.fixed[variable - n].is_none());
@@ -154,7 +156,7 @@ impl<T: Float> InputSampler<'_, T> {
     }
 
     /// Draws floats with the given exponents of 2. One state in sixteen is 0.
-    fn inputs(&mut self, regime: Regime, sizes: &[i64], eps: i64) -> Inputs<T> {
+    fn draw_inputs(&mut self, regime: Regime, sizes: &[i64], eps: i64) -> Inputs<T> {
         let state = |points: &mut Self, binade: i64| {
             let binade = binade.clamp(-T::STATE_BINADES, T::STATE_BINADES);
             if points.random.below(16) == 0 { T::zero() } else { points.float(binade) }

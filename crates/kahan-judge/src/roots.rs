@@ -13,7 +13,7 @@ use super::dyadic::Dyadic;
 /// `None` without a change of sign. The search compares signs near points where two terms have
 /// equal sizes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
-    let mut binades: Vec<i64> = balances(coefficients).flat_map(|b| b - 3..=b + 3).collect();
+    let mut binades: Vec<i64> = balanced_exponents(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
     binades.dedup();
     let negative = binades.iter().rev().map(|&b| Dyadic::new(-1, b));
@@ -62,7 +62,7 @@ fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering>
 }
 
 /// Returns the exponents e such that two terms have about equal sizes at 2^e.
-fn balances(coefficients: &[Dyadic]) -> impl Iterator<Item = i64> + '_ {
+fn balanced_exponents(coefficients: &[Dyadic]) -> impl Iterator<Item = i64> + '_ {
     let sizes = coefficients.iter().enumerate().filter_map(|(k, c)| Some((k as i64, c.binade()?)));
     let sizes: Vec<(i64, i64)> = sizes.collect();
     let count = sizes.len();

@@ -20,13 +20,13 @@ use super::trial::{PreparedTrials, with_special_inputs};
 
 #[derive(Debug)]
 pub(crate) struct TestedMap {
-    pub(crate) target: Target,
+    pub(crate) target: TrialTarget,
     pub(crate) map: Map,
 }
 
 /// The data with which the points of a system are drawn and tested.
 #[derive(Debug)]
-pub(crate) struct Target {
+pub(crate) struct TrialTarget {
     pub(crate) name: String,
     pub(crate) parameters: Vec<Option<Rational>>,
     /// Whether parameters are drawn from the whole range of floats.
@@ -49,7 +49,7 @@ impl TestedMap {
         let values = (1..).zip(&parameters).map(value_or_any);
         let map = Field::of(system).with(names.iter().zip(values)).map_err(CannotRun::Parameters)?;
         let judge = judge::of(system);
-        Ok(Self { target: Target { name: name.to_owned(), parameters, is_odd: false, judge }, map })
+        Ok(Self { target: TrialTarget { name: name.to_owned(), parameters, is_odd: false, judge }, map })
     }
 
     /// Prepares a random field whose parameters are drawn for each trial.
@@ -121,15 +121,15 @@ pub(crate) fn total_of_odd(fields: usize, trials: u64) -> u64 {
 
 /// Runs all trials of one scalar in blocks. An idle thread takes the next block.
 fn of_scalar<T: Float>(ready: &PreparedTrials<'_, T>, threads: usize, count: &WorkCount<'_>) -> Tally {
-    const BLOCK: usize = 64;
+    const TRIALS_PER_BLOCK: usize = 64;
     let trials = usize::try_from(ready.count()).expect("no more trials than a machine makes");
     let all = Mutex::new(Tally::default());
-    for_each(trials.div_ceil(BLOCK), Some(threads), &|block| {
+    for_each(trials.div_ceil(TRIALS_PER_BLOCK), Some(threads), &|block| {
         if count.is_stopped() {
             return;
         }
-        let (start, mut tally) = (block * BLOCK, Tally::default());
-        let end = (start + BLOCK).min(trials);
+        let (start, mut tally) = (block * TRIALS_PER_BLOCK, Tally::default());
+        let end = (start + TRIALS_PER_BLOCK).min(trials);
         (start..end).for_each(|index| ready.run(index as u64, &mut tally));
         count.add((end - start) as u64);
         // Threads panic only outside of the lock, so the locked tally is valid.

@@ -105,7 +105,7 @@ fn by_system<S: Serializer>(
     serializer.collect_seq(systems.iter().map(|(name, broken)| Object { name, broken }))
 }
 
-const SHOWN: usize = 3;
+const MAX_SHOWN_FAILURES: usize = 3;
 
 impl Tally {
     pub(crate) fn cell(&mut self, place: CellKey) -> &mut Cell {
@@ -139,7 +139,7 @@ impl Tally {
         let is_flag = failure.is_flag;
         self.failures.insert(at, failure);
         let of_its_kind = || self.failures.iter().filter(|known| known.is_flag == is_flag);
-        if of_its_kind().count() > SHOWN {
+        if of_its_kind().count() > MAX_SHOWN_FAILURES {
             let last = self.failures.iter().rposition(|known| known.is_flag == is_flag);
             last.map(|last| self.failures.remove(last));
         }

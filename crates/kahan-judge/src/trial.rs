@@ -9,11 +9,11 @@ use super::judge::ExactStep;
 use super::points::{InputSampler, Inputs};
 use super::regime::Regime;
 use super::steps::{StepMethods, steps};
-use super::survey::{Target, TestedMap};
+use super::survey::{TestedMap, TrialTarget};
 use super::tally::{Cell, Failure, Tally};
 
 pub(crate) struct Trials<'a, T> {
-    targets: Vec<&'a Target>,
+    targets: Vec<&'a TrialTarget>,
     fixed: Vec<Vec<Option<T>>>,
     /// The indices of the systems whose maps have poles.
     with_poles: Vec<usize>,
@@ -29,7 +29,7 @@ pub(crate) struct PreparedTrials<'a, T> {
 
 pub(crate) struct Trial<'a, T> {
     index: u64,
-    target: &'a Target,
+    target: &'a TrialTarget,
     /// The index of the tested system.
     place: usize,
     inputs: Inputs<T>,
@@ -86,10 +86,11 @@ impl<'a, T: Float> PreparedTrials<'a, T> {
 }
 
 impl<'a, T: Float> Trials<'a, T> {
-    pub(crate) fn new(targets: Vec<&'a Target>, trials: u64, seed: u64) -> Self {
-        let indices =
-            |has: fn(&Target) -> bool| (0..targets.len()).filter(|&i| has(targets[i])).collect::<Vec<_>>();
-        let fixed = |target: &&Target| {
+    pub(crate) fn new(targets: Vec<&'a TrialTarget>, trials: u64, seed: u64) -> Self {
+        let indices = |has: fn(&TrialTarget) -> bool| {
+            (0..targets.len()).filter(|&i| has(targets[i])).collect::<Vec<_>>()
+        };
+        let fixed = |target: &&TrialTarget| {
             target.parameters.iter().map(|value| value.as_ref().map(rounded)).collect::<Vec<_>>()
         };
         Self {
@@ -115,7 +116,7 @@ impl<'a, T: Float> Trials<'a, T> {
         let (regime, place) = self.stratum(index);
         // Trials with neighbouring indices get independent random streams.
         let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
-        let (random, Target { judge, is_odd, .. }) = (SplitMix64::new(seed), self.targets[place]);
+        let (random, TrialTarget { judge, is_odd, .. }) = (SplitMix64::new(seed), self.targets[place]);
         (
             place,
             InputSampler { judge: &**judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime),

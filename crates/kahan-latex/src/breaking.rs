@@ -8,7 +8,7 @@ mod pieces;
 mod tests;
 mod width;
 
-use pieces::{factors, insides, split, terms};
+use pieces::{factors, group_insides, split, terms};
 pub use width::width_of;
 
 /// The length of a line on a usual page, in characters.
@@ -55,7 +55,7 @@ pub fn boxed(formula: &str, width: usize) -> String {
 /// Writes `left = right` as rows of an `aligned` environment. Continuation lines are indented.
 #[must_use]
 pub fn equation(left: &str, right: &str, width: usize) -> String {
-    let room = width.saturating_sub(width_of(left) + 3).max(NARROWEST);
+    let room = width.saturating_sub(width_of(left) + 3).max(LEAST_WIDTH);
     format!("{left} &= {}", lines(right, room).join(" \\\\\n&\\quad "))
 }
 
@@ -89,7 +89,7 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
         .map(|column| rows.iter().filter_map(|row| row.get(column)).map(|cell| width_of(cell)).max())
         .map(Option::unwrap_or_default)
         .collect();
-    let allowed = shares(&widths, width.saturating_sub(2 * columns));
+    let allowed = column_shares(&widths, width.saturating_sub(2 * columns));
     let row = |row: &Vec<String>| {
         let cells = row.iter().zip(&allowed).map(|(cell, &allowed)| boxed(cell, allowed));
         cells.collect::<Vec<_>>().join(" & ")
@@ -98,10 +98,10 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     format!("\\begin{{{name}}}\n{}\n\\end{{{name}}}", rows.join(" \\\\\n"))
 }
 
-const NARROWEST: usize = 16;
+const LEAST_WIDTH: usize = 16;
 
 /// Distributes a width over columns. Wide columns divide equally what narrow columns leave.
-fn shares(widths: &[usize], width: usize) -> Vec<usize> {
+fn column_shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
     // Every pass but the last decreases `share`, so the loop ends.
     loop {
@@ -109,7 +109,7 @@ fn shares(widths: &[usize], width: usize) -> Vec<usize> {
         let narrow: usize = widths.iter().filter(|&&one| one <= share).sum();
         let next = width.saturating_sub(narrow).checked_div(wide).unwrap_or(share).min(share);
         if next == share {
-            return widths.iter().map(|&one| one.min(share.max(NARROWEST))).collect();
+            return widths.iter().map(|&one| one.min(share.max(LEAST_WIDTH))).collect();
         }
         share = next;
     }
@@ -125,7 +125,7 @@ fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut taken = 0;
     for factor in factors(term) {
-        let factor = narrowed(factor, width);
+        let factor = break_factor(factor, width);
         let size = width_of(&factor);
         match lines.last_mut() {
             Some(line) if taken + size <= width => append(line, &factor),
@@ -141,14 +141,14 @@ fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
 }
 
 /// Breaks the inside of the fraction or parenthesis in a wide factor.
-fn narrowed(factor: &str, width: usize) -> String {
+fn break_factor(factor: &str, width: usize) -> String {
     if width_of(factor) <= width {
         return factor.to_owned();
     }
-    let Some(insides) = insides(factor) else { return factor.to_owned() };
+    let Some(insides) = group_insides(factor) else { return factor.to_owned() };
     let (Some(first), Some(last)) = (insides.first(), insides.last()) else { return factor.to_owned() };
     let around = width_of(&factor[..first.start]) + width_of(&factor[last.end..]);
-    let room = width.saturating_sub(around).max(NARROWEST);
+    let room = width.saturating_sub(around).max(LEAST_WIDTH);
     let mut out = String::new();
     let mut at = 0;
     for inside in &insides {

@@ -18,7 +18,7 @@ use crate::equations::Equations;
 use crate::laurent::{Laurent, Monomial};
 use crate::quadratic::{Products, Quadratic, component, times};
 use crate::ring::Ring;
-use crate::search::{MOST_VARIABLES, Problem, founded, search};
+use crate::search::{CoverProblem, MOST_VARIABLES, founded, search};
 
 /// At most this many sets of one size become candidates.
 const MOST_SETS: usize = 8;
@@ -49,7 +49,7 @@ pub(crate) struct Candidate {
 /// Returns the lifts with the fewest new variables, and lifts with one more variable.
 pub(crate) fn ordinary_candidates(equations: &Equations, effort: SearchEffort) -> Vec<Candidate> {
     let surplus = usize::from(effort.surplus);
-    let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
+    let rings = [Some(equations.ring.clone()), equations.ring.with_frequent_sums()];
     let found: Vec<_> = rings
         .into_iter()
         .flatten()
@@ -64,22 +64,24 @@ pub(crate) fn ordinary_candidates(equations: &Equations, effort: SearchEffort) -
         for size in least..=least + surplus {
             let sets = found.sets.iter().filter(|set| set.len() == size).take(MOST_SETS);
             candidates.extend(
-                sets.filter_map(|set| ordinary(ring, set.clone(), found.is_optimal && size == least)),
+                sets.filter_map(|set| {
+                    ordinary_candidate(ring, set.clone(), found.is_optimal && size == least)
+                }),
             );
         }
     }
     if effort.surplus
         && let Some(set) = founded(&equations.ring, &equations.problem_in(&equations.ring))
     {
-        candidates.extend(ordinary(&Rc::new(equations.ring.clone()), set, false));
+        candidates.extend(ordinary_candidate(&Rc::new(equations.ring.clone()), set, false));
     }
     candidates.sort_by_key(|candidate| candidate.new.len());
     candidates
 }
 
-fn ordinary(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Candidate> {
+fn ordinary_candidate(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Candidate> {
     let products = Products::new(ring, &new);
-    let forms = products.forms(&BTreeMap::new())?;
+    let forms = products.quadratic_fields(&BTreeMap::new())?;
     let relations = products.relations;
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: None })
 }
@@ -94,7 +96,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
     };
     // With sums as coordinates, the search finds small lifts. Their size limits the search without
     // sums as coordinates.
-    let grouped = equations.ring.grouped().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
+    let grouped =
+        equations.ring.with_frequent_sums().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
     let mut candidates = lifts(&equations.ring, least);
     candidates.extend(grouped);
@@ -114,7 +117,7 @@ fn energy_lifts(
     least: usize,
 ) -> Vec<Candidate> {
     let states = ring.field.len();
-    let mut problem = Problem { required: Vec::new(), ..equations.problem_in(ring) };
+    let mut problem = CoverProblem { required: Vec::new(), ..equations.problem_in(ring) };
     let mut forces: Vec<Laurent> = Vec::new();
     for &momentum in &mechanical.momenta {
         let curved = ring.field[momentum].filtered(|monomial| monomial.size() > 1 || !monomial.is_in(states));
@@ -218,12 +221,12 @@ fn with_potential(
             }
         }
     }
-    let mut forms = products.forms(&fixed)?;
+    let mut forms = products.quadratic_fields(&fixed)?;
     let one = RationalFunction::one();
     let with_curved = curved.as_ref().and_then(|curved| products.affine(curved)).map(|affine| {
         let mut energy = energy.clone();
         energy.add_scaled(&affine, &one);
-        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(ring, form), &energy).is_some();
+        let keeps = |form: &&Vec<Quadratic>| modified_quadratic(&field_of(ring, form), &energy).is_some();
         let kept: Vec<Vec<Quadratic>> = forms.iter().filter(keeps).cloned().collect();
         (energy, kept)
     });
@@ -240,7 +243,7 @@ fn with_potential(
 }
 
 /// Returns the modified integral that Kahan's map preserves, for a quadratic integral of the field.
-pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
+pub(crate) fn modified_quadratic(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
     let integral = component(integral, field.dimension());
     modified_integral(field, integral.numerator())
 }

@@ -6,7 +6,7 @@ use kahan_algebra::modified_integrals::ModifiedIntegral;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
-use crate::candidates::{Candidate, field_of, modified};
+use crate::candidates::{Candidate, field_of, modified_quadratic};
 use crate::laurent::{Laurent, Monomial};
 use crate::quadratic::Quadratic;
 use crate::ring::{CoordinateDefinition, Function};
@@ -101,7 +101,7 @@ pub(crate) fn choose<'a>(
         })
     };
     if candidates[0].energy.is_some() {
-        judged = followed(judged, orbit);
+        judged = with_error_growth(judged, orbit);
         let class = |one: &RatedCandidate<'_>| match one.growth {
             Some(growth) if !growth.is_stable() => 1 + usize::from(!growth.is_polynomial()),
             _ => 0,
@@ -114,14 +114,14 @@ pub(crate) fn choose<'a>(
         let (kept, others): (Vec<_>, Vec<_>) = judged.into_iter().partition(RatedCandidate::keeps_all);
         if !kept.is_empty() {
             let chosen = "its map keeps every relation between its variables exactly".to_owned();
-            return Some((best(followed(kept, orbit))?, chosen));
+            return Some((best(with_error_growth(kept, orbit))?, chosen));
         }
         judged = others;
         if which == LiftCriterion::Relations {
             let most = judged.iter().map(|one| one.kept.len()).max()?;
             judged.retain(|one| one.kept.len() == most);
             let chosen = format!("its map keeps {most} of the relations exactly, and no other one more");
-            return Some((best(followed(judged, orbit))?, chosen));
+            return Some((best(with_error_growth(judged, orbit))?, chosen));
         }
     }
     if which == LiftCriterion::Smallest || orbit.is_none() {
@@ -129,16 +129,19 @@ pub(crate) fn choose<'a>(
         judged.retain(|one| one.order() == least);
         let why =
             if which == LiftCriterion::Smallest { "" } else { "; without a start, no orbit was followed" };
-        return Some((best(followed(judged, orbit))?, format!("no other lift has fewer new variables{why}")));
+        return Some((
+            best(with_error_growth(judged, orbit))?,
+            format!("no other lift has fewer new variables{why}"),
+        ));
     }
     let (stable, others): (Vec<_>, Vec<_>) =
-        followed(judged, orbit).into_iter().partition(RatedCandidate::is_stable);
+        with_error_growth(judged, orbit).into_iter().partition(RatedCandidate::is_stable);
     if !stable.is_empty() {
         let chosen = "errors of its relations do not grow along the orbit";
         return Some((best(stable)?, chosen.to_owned()));
     }
     for one in &others {
-        for damped in one.damped(orbit) {
+        for damped in one.with_damping(orbit) {
             if damped.is_stable() {
                 let chosen = "multiples of its relations in its equations make their errors decay";
                 return Some((damped, chosen.to_owned()));
@@ -153,7 +156,7 @@ pub(crate) fn choose<'a>(
 
 /// Computes the growth of errors, first for lifts with few new variables. After a stable lift is
 /// found, lifts with more variables are dropped.
-fn followed<'a>(judged: Vec<RatedCandidate<'a>>, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
+fn with_error_growth<'a>(judged: Vec<RatedCandidate<'a>>, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
     let Some(orbit) = orbit else { return judged };
     let orders: BTreeSet<usize> = judged.iter().map(RatedCandidate::order).collect();
     let mut judged = judged;
@@ -173,7 +176,7 @@ impl<'a> RatedCandidate<'a> {
         let kept = candidate
             .relations
             .iter()
-            .filter_map(|relation| Some((relation.clone(), modified(&field, relation)?)))
+            .filter_map(|relation| Some((relation.clone(), modified_quadratic(&field, relation)?)))
             .collect();
         RatedCandidate { candidate, form, kept, growth: None }
     }
@@ -197,7 +200,7 @@ impl<'a> RatedCandidate<'a> {
     ///
     /// For a relation R that is linear in a new variable w, the derivative of w is reduced by κ R.
     /// The factor κ exceeds the growth rate of errors.
-    fn damped(&self, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
+    fn with_damping(&self, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
         let damped = |factor: f64| {

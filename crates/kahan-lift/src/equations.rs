@@ -2,13 +2,13 @@
 
 use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_algebra::parse::parse_lifted;
-use kahan_algebra::syntax::{Block, Expr, ExprKind, Header, InFormula};
+use kahan_algebra::syntax::{Block, Expr, ExprKind, FormulaSyntax, Header};
 use kahan_algebra::token::{Span, Token};
 
 use crate::laurent::{Laurent, Monomial};
 use crate::read::Reader;
 use crate::ring::Ring;
-use crate::search::Problem;
+use crate::search::CoverProblem;
 
 #[derive(Debug)]
 pub(crate) struct Equations {
@@ -48,7 +48,7 @@ impl Equations {
     }
 
     /// Returns the search problem for monomials that make the equations quadratic.
-    pub(crate) fn problem_in(&self, ring: &Ring) -> Problem {
+    pub(crate) fn problem_in(&self, ring: &Ring) -> CoverProblem {
         let given: Vec<Monomial> =
             (0..self.stated.states.len()).map(|state| Monomial::power(state, 1)).collect();
         let required: Vec<Monomial> =
@@ -61,25 +61,25 @@ impl Equations {
             .flat_map(|monomial| monomial.powers().filter(|&(_, exponent)| exponent < 0))
             .map(|(coordinate, _)| coordinate)
             .collect();
-        Problem { given, sums: Vec::new(), required, negative }
+        CoverProblem { given, sums: Vec::new(), required, negative }
     }
 }
 
-fn names(expr: &Expr<InFormula>, visit: &mut dyn FnMut(&str)) {
+fn names(expr: &Expr<FormulaSyntax>, visit: &mut dyn FnMut(&str)) {
     match &expr.kind {
         ExprKind::Number(_) => {}
         ExprKind::Name(name) => visit(name),
         ExprKind::Sum(terms) => terms.iter().for_each(|term| names(&term.expr, visit)),
         ExprKind::Product(factors) => factors.iter().for_each(|factor| names(&factor.expr, visit)),
         ExprKind::Negation(inner) | ExprKind::Power(inner, _) => names(inner, visit),
-        ExprKind::Special(InFormula::Power(parts)) => parts.iter().for_each(|part| names(part, visit)),
-        ExprKind::Special(InFormula::Call { arguments, .. }) => {
+        ExprKind::Special(FormulaSyntax::Power(parts)) => parts.iter().for_each(|part| names(part, visit)),
+        ExprKind::Special(FormulaSyntax::Call { arguments, .. }) => {
             arguments.iter().for_each(|argument| names(argument, visit));
         }
     }
 }
 
-fn check(block: Block<InFormula>, diagnostics: &mut Diagnostics) -> Option<Equations> {
+fn check(block: Block<FormulaSyntax>, diagnostics: &mut Diagnostics) -> Option<Equations> {
     let states: Vec<String> = block.equations.iter().map(|equation| equation.state.text.clone()).collect();
     for (index, equation) in block.equations.iter().enumerate() {
         if states[..index].contains(&equation.state.text) {
@@ -88,7 +88,8 @@ fn check(block: Block<InFormula>, diagnostics: &mut Diagnostics) -> Option<Equat
             diagnostics.report(Kind::Name, equation.state.span, message, "remove one of them");
         }
     }
-    let sides: Vec<&Expr<InFormula>> = block.equations.iter().filter_map(|one| one.value.as_ref()).collect();
+    let sides: Vec<&Expr<FormulaSyntax>> =
+        block.equations.iter().filter_map(|one| one.value.as_ref()).collect();
     if sides.is_empty() && diagnostics.is_empty() {
         let help = "write one equation a state, as in `xdot = v;`";
         diagnostics.report(Kind::Empty, Span::token(0), "the block holds no equation", help);

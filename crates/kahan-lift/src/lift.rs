@@ -13,7 +13,7 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::token::{Span, Token};
 
-use crate::candidates::{SearchEffort, energy_candidates, field_of, modified, ordinary_candidates};
+use crate::candidates::{SearchEffort, energy_candidates, field_of, modified_quadratic, ordinary_candidates};
 use crate::choice::{LiftCriterion, RatedCandidate, choose};
 use crate::embedding::{Builder, Embedding};
 use crate::energy::{Mechanical, slopes};
@@ -35,7 +35,7 @@ pub struct Options {
     pub budget: usize,
 }
 
-const NODES: usize = 20_000;
+const DEFAULT_SEARCH_BUDGET: usize = 20_000;
 
 /// A variable of a lift beyond the states.
 #[derive(Clone, Debug)]
@@ -117,7 +117,7 @@ pub struct Lift {
 /// within the budget.
 pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
-    let nodes = if options.budget == 0 { NODES } else { options.budget };
+    let nodes = if options.budget == 0 { DEFAULT_SEARCH_BUDGET } else { options.budget };
     let nothing = |kind, message: &str, help: &str| {
         Err(vec![Diagnostic::new(kind, Span::token(0), message.to_owned(), help.to_owned())])
     };
@@ -149,7 +149,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         let help = "write a part of the equations as a state of its own, or approximate it by a polynomial";
         return nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help);
     };
-    Ok(described(&equations, &judged, chosen))
+    Ok(describe_lift(&equations, &judged, chosen))
 }
 
 fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
@@ -165,7 +165,7 @@ fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
 pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let orbit = followed(&equations, options);
-    let effort = SearchEffort { nodes: NODES, surplus: true };
+    let effort = SearchEffort { nodes: DEFAULT_SEARCH_BUDGET, surplus: true };
     let candidates =
         [energy_candidates(&equations, effort), ordinary_candidates(&equations, effort)].concat();
     let mut lifts = Vec::new();
@@ -173,13 +173,13 @@ pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagn
         for form in &candidate.forms {
             let mut judged = RatedCandidate::new(candidate, form.clone());
             orbit.iter().for_each(|orbit| judged.follow(orbit));
-            lifts.push(described(&equations, &judged, String::new()));
+            lifts.push(describe_lift(&equations, &judged, String::new()));
         }
     }
     Ok(lifts)
 }
 
-fn described(equations: &Equations, judged: &RatedCandidate<'_>, chosen: String) -> Lift {
+fn describe_lift(equations: &Equations, judged: &RatedCandidate<'_>, chosen: String) -> Lift {
     let EquationNames { states, parameters, has_time } = equations.stated.clone();
     let ring = &judged.candidate.ring;
     let writer = Writer::new(ring, &states, &parameters);
@@ -239,7 +239,7 @@ fn described(equations: &Equations, judged: &RatedCandidate<'_>, chosen: String)
             defines: Some(index),
         });
     }
-    let energy = judged.candidate.energy.as_ref().and_then(|energy| modified(&field, energy));
+    let energy = judged.candidate.energy.as_ref().and_then(|energy| modified_quadratic(&field, energy));
     let energy = energy.map(|energy| fraction(&energy.of_map));
     let embedding = Builder::embedding(ring, &judged.candidate.new);
     Lift {
@@ -260,7 +260,7 @@ fn described(equations: &Equations, judged: &RatedCandidate<'_>, chosen: String)
 }
 
 /// Returns the zero of an affine function of one state, such as `v = -40`.
-fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
+fn zero_of_affine(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
     let mut linear = argument.terms().filter(|(monomial, _)| !monomial.is_one());
     let (monomial, slope) = linear.next().filter(|_| argument.len() <= 2)?;
     let (state, _) = monomial.powers().next().filter(|_| linear.next().is_none() && monomial.size() == 1)?;
@@ -287,7 +287,7 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
                     && let CoordinateDefinition::Function(Function::Exp, argument) =
                         &ring.coordinates[inner].meaning
                 {
-                    let place = zero(argument, writer)
+                    let place = zero_of_affine(argument, writer)
                         .unwrap_or_else(|| format!("{} = 0", writer.polynomial(argument, &Text)));
                     notes.push(format!(
                         "1/({}) is infinite at {place}, even if the equations are finite there: orbits must not cross it",

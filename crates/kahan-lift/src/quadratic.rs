@@ -139,7 +139,7 @@ impl<'a> Products<'a> {
     }
 
     /// Returns alternatives for a derivative of a variable. The preferred alternative comes first.
-    fn ways(&self, of: usize) -> Option<Vec<Quadratic>> {
+    fn derivative_forms(&self, of: usize) -> Option<Vec<Quadratic>> {
         let states = self.ring.field.len();
         let mut ways = vec![Quadratic::default()];
         for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
@@ -173,12 +173,12 @@ impl<'a> Products<'a> {
 
     /// Returns alternative quadratic fields, with the preferred field first. The map `fixed`
     /// prescribes some of the equations.
-    pub(crate) fn forms(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
+    pub(crate) fn quadratic_fields(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
         for index in 0..self.variables.len() {
             ways.push(match fixed.get(&index) {
                 Some(equation) => vec![equation.clone()],
-                None => self.ways(index)?,
+                None => self.derivative_forms(index)?,
             });
         }
         self.add_product_rules(&mut ways);

@@ -9,7 +9,7 @@ use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::syntax::{Constant, Expr, ExprKind, Factor, InFormula};
+use kahan_algebra::syntax::{Constant, Expr, ExprKind, Factor, FormulaSyntax};
 use kahan_algebra::token::Span;
 
 use crate::laurent::{Laurent, Monomial};
@@ -30,12 +30,12 @@ pub(crate) struct Reader {
     pub ring: Ring,
     /// For each kind of function and each argument up to rational multiples: the greatest common
     /// divisor of the multiples.
-    units: Vec<(Family, Laurent, Rational)>,
+    units: Vec<(FunctionFamily, Laurent, Rational)>,
 }
 
 /// Kinds of functions whose values at integer multiples of u are polynomials in those at u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Family {
+enum FunctionFamily {
     Exponential,
     Circular,
     Hyperbolic,
@@ -50,8 +50,8 @@ impl Reader {
     /// Reads the right-hand sides. Fails at the first expression that cannot be lifted.
     pub(crate) fn field(
         &mut self,
-        sides: &[&Expr<InFormula>],
-        constants: &[Constant<InFormula>],
+        sides: &[&Expr<FormulaSyntax>],
+        constants: &[Constant<FormulaSyntax>],
     ) -> ReadResult<()> {
         loop {
             let before = self.units.clone();
@@ -78,18 +78,18 @@ impl Reader {
         }
     }
 
-    pub(crate) fn expr(&mut self, expr: &Expr<InFormula>) -> ReadResult<Laurent> {
-        self.signed(expr, 1)
+    pub(crate) fn expr(&mut self, expr: &Expr<FormulaSyntax>) -> ReadResult<Laurent> {
+        self.expr_with_sign(expr, 1)
     }
 
     /// Reads an expression or its inverse. Factors of products are inverted one by one, so 1/P² and
     /// 1/P³ are powers of one coordinate 1/P.
-    fn signed(&mut self, expr: &Expr<InFormula>, sign: i64) -> ReadResult<Laurent> {
+    fn expr_with_sign(&mut self, expr: &Expr<FormulaSyntax>, sign: i64) -> ReadResult<Laurent> {
         let value = match &expr.kind {
             ExprKind::Product(factors) => {
                 let mut product = Laurent::number(Rational::one());
                 for Factor { expr: inner, divides } in factors {
-                    let value = self.signed(inner, if *divides { -sign } else { sign })?;
+                    let value = self.expr_with_sign(inner, if *divides { -sign } else { sign })?;
                     product = self.product(&product, &value, expr.span)?;
                 }
                 product
@@ -98,14 +98,14 @@ impl Reader {
                 let base = self.expr(base)?;
                 self.power(&base, &(&Rational::from(*exponent) * &Rational::from(sign)), expr.span)?
             }
-            ExprKind::Special(InFormula::Power(parts)) => {
+            ExprKind::Special(FormulaSyntax::Power(parts)) => {
                 let is_e = matches!(&parts[0].kind, ExprKind::Name(name) if name == "e");
                 if is_e && !self.is_declared && !self.states.iter().any(|state| state == "e") {
                     let help = "write `exp(…)` for the exponential; a parameter needs another name here";
                     return refuse(expr.span, "`e` is read as a name, not as the number 2.718…", help);
                 }
                 let (base, exponent) = (self.expr(&parts[0])?, self.expr(&parts[1])?);
-                self.general_power(&base, &exponent.scale(&whole(sign)), expr.span)?
+                self.general_power(&base, &exponent.scale(&integer_constant(sign)), expr.span)?
             }
             _ if sign < 0 => {
                 let value = self.expr(expr)?;
@@ -113,15 +113,18 @@ impl Reader {
             }
             ExprKind::Number(value) => Laurent::number(value.clone()),
             ExprKind::Name(name) => self.name(name, expr.span)?,
-            ExprKind::Negation(inner) => self.expr(inner)?.scale(&whole(-1)),
+            ExprKind::Negation(inner) => self.expr(inner)?.scale(&integer_constant(-1)),
             ExprKind::Sum(terms) => {
                 let mut sum = Laurent::zero();
                 for term in terms {
-                    sum.add_scaled(&self.expr(&term.expr)?, &whole(if term.negative { -1 } else { 1 }));
+                    sum.add_scaled(
+                        &self.expr(&term.expr)?,
+                        &integer_constant(if term.negative { -1 } else { 1 }),
+                    );
                 }
                 sum
             }
-            ExprKind::Special(InFormula::Call { function, arguments }) => match &arguments[..] {
+            ExprKind::Special(FormulaSyntax::Call { function, arguments }) => match &arguments[..] {
                 [_] if self.states.contains(function) => {
                     let help = format!(
                         "write `{function}` for the state, `{function}*(…)` for a product; for a delay a chain of \
@@ -129,7 +132,9 @@ impl Reader {
                     );
                     return refuse(expr.span, format!("`{function}(…)` is a state at another time"), help);
                 }
-                _ if let Some((message, help)) = reason(function) => return refuse(expr.span, message, help),
+                _ if let Some((message, help)) = reason_not_lifted(function) => {
+                    return refuse(expr.span, message, help);
+                }
                 [argument] => {
                     let argument = self.expr(argument)?;
                     self.call(function, &argument, expr.span)?
@@ -142,7 +147,7 @@ impl Reader {
                     let help = "a chain of states can stand for it: docs/how-to/texts.md shows how";
                     return refuse(expr.span, format!("`{function}(t …)` is a delay"), help);
                 }
-                _ => return refuse(expr.span, unknown(function), KNOWN),
+                _ => return refuse(expr.span, unknown(function), KNOWN_FUNCTIONS_HELP),
             },
         };
         if value.len() > MOST_TERMS {
@@ -226,14 +231,15 @@ impl Reader {
             };
             return self.integer_power(&one, -numerator, span);
         }
-        let (above, below) = (small(numerator), small(denominator));
+        let (above, below) = (to_exponent(numerator), to_exponent(denominator));
         let power = self.root(base, below, above);
-        Ok(self.ring.normal(&power))
+        Ok(self.ring.normal_form(&power))
     }
 
     fn root(&mut self, base: &Laurent, index: i16, exponent: i16) -> Monomial {
-        let unit = self.unit(Family::Root, base, &Rational::new(1, i64::from(index)));
-        let finest = small(unit.recip().and_then(|unit| unit.as_i64()).expect("the inverse of an index"));
+        let unit = self.common_unit(FunctionFamily::Root, base, &Rational::new(1, i64::from(index)));
+        let finest =
+            to_exponent(unit.recip().and_then(|unit| unit.as_i64()).expect("the inverse of an index"));
         let meaning = CoordinateDefinition::Root(base.clone(), finest);
         let coordinate = self.ring.find(&meaning).unwrap_or_else(|| {
             let coordinate = self.ring.coordinates.len();
@@ -248,7 +254,7 @@ impl Reader {
 
     /// Updates the greatest common divisor of all multiples of an argument by a new multiple, and
     /// returns the divisor.
-    fn unit(&mut self, family: Family, argument: &Laurent, multiple: &Rational) -> Rational {
+    fn common_unit(&mut self, family: FunctionFamily, argument: &Laurent, multiple: &Rational) -> Rational {
         let known = self.units.iter_mut().find(|(of, known, _)| *of == family && known == argument);
         match known {
             Some((_, _, unit)) => {
@@ -289,7 +295,7 @@ impl Reader {
             let help = "write the exponent as an integer multiple of a parameter";
             return refuse(span, "this exponent is a fraction of a parameter", help);
         };
-        let symbolic = Laurent::from(Monomial::power(coordinate, small(times)));
+        let symbolic = Laurent::from(Monomial::power(coordinate, to_exponent(times)));
         let number = self.power(base, &constant, span)?;
         self.product(&symbolic, &number, span)
     }
@@ -305,10 +311,10 @@ impl Reader {
         }
         match function {
             "exp" => self.exponential(argument, span),
-            "sin" => self.circular(Family::Circular, argument, span).map(|[sine, _]| sine),
-            "cos" => self.circular(Family::Circular, argument, span).map(|[_, cosine]| cosine),
-            "sinh" => self.circular(Family::Hyperbolic, argument, span).map(|[sine, _]| sine),
-            "cosh" => self.circular(Family::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
+            "sin" => self.circular(FunctionFamily::Circular, argument, span).map(|[sine, _]| sine),
+            "cos" => self.circular(FunctionFamily::Circular, argument, span).map(|[_, cosine]| cosine),
+            "sinh" => self.circular(FunctionFamily::Hyperbolic, argument, span).map(|[sine, _]| sine),
+            "cosh" => self.circular(FunctionFamily::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
             // Since tan′ = 1 + tan² and tanh′ = 1 − tanh², one variable is enough.
             "tan" => Ok(self.tangent(Function::Tan, argument, 1)),
             "tanh" => Ok(self.tangent(Function::Tanh, argument, -1)),
@@ -321,12 +327,12 @@ impl Reader {
             _ => {
                 // The name `arctan` means `atan`.
                 let name = function.replace("arc", "a");
-                let found = INVERSES.iter().find(|(one, ..)| one.name() == name);
+                let found = INVERSE_FUNCTIONS.iter().find(|(one, ..)| one.name() == name);
                 let Some(&(function, [constant, square], [above, below])) = found else {
-                    return refuse(span, unknown(function), KNOWN);
+                    return refuse(span, unknown(function), KNOWN_FUNCTIONS_HELP);
                 };
-                let mut radicand = self.product(argument, argument, span)?.scale(&whole(square));
-                radicand.add_term(Monomial::one(), &whole(constant));
+                let mut radicand = self.product(argument, argument, span)?.scale(&integer_constant(square));
+                radicand.add_term(Monomial::one(), &integer_constant(constant));
                 let slope = self.power(&radicand, &Rational::new(above, below), span)?;
                 Ok(self.function(function, argument, slope))
             }
@@ -342,7 +348,7 @@ impl Reader {
     fn tangent(&mut self, function: Function, argument: &Laurent, sign: i64) -> Laurent {
         let own = Monomial::power(self.ring.coordinates.len(), 2);
         let mut slope = Laurent::number(Rational::one());
-        slope.add_term(own, &whole(sign));
+        slope.add_term(own, &integer_constant(sign));
         self.function(function, argument, slope)
     }
 
@@ -361,7 +367,7 @@ impl Reader {
         let mut product = Monomial::one();
         for part in parts {
             let (multiple, primitive) = part.primitive();
-            let unit = self.unit(Family::Exponential, &primitive, &multiple);
+            let unit = self.common_unit(FunctionFamily::Exponential, &primitive, &multiple);
             let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
             let meaning = CoordinateDefinition::Function(Function::Exp, inner);
             let coordinate = self.ring.coordinate(meaning, Laurent::coordinate);
@@ -373,7 +379,7 @@ impl Reader {
     fn times(&self, multiple: &Rational, unit: &Rational, span: Span) -> ReadResult<i16> {
         let times = multiple.checked_div(unit).and_then(|times| times.as_i64());
         match times.filter(|times| times.abs() <= LARGEST_POWER) {
-            Some(times) => Ok(small(times)),
+            Some(times) => Ok(to_exponent(times)),
             None => {
                 let message = "the arguments of these functions have no common measure that is near";
                 refuse(span, message, "name one of the functions as a state")
@@ -381,20 +387,25 @@ impl Reader {
         }
     }
 
-    fn circular(&mut self, family: Family, argument: &Laurent, span: Span) -> ReadResult<[Laurent; 2]> {
+    fn circular(
+        &mut self,
+        family: FunctionFamily,
+        argument: &Laurent,
+        span: Span,
+    ) -> ReadResult<[Laurent; 2]> {
         let one = Laurent::number(Rational::one());
         if argument.is_zero() {
             return Ok([Laurent::zero(), one]);
         }
         let (multiple, primitive) = argument.primitive();
-        let unit = self.unit(family, &primitive, &multiple);
+        let unit = self.common_unit(family, &primitive, &multiple);
         let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
         // The rules are cos′ = sign·sin, sin² = 1 − cos² and cosh² = 1 + sinh².
         let (functions, sign) = match family {
-            Family::Circular => ([Function::Sin, Function::Cos], -1),
+            FunctionFamily::Circular => ([Function::Sin, Function::Cos], -1),
             _ => ([Function::Sinh, Function::Cosh], 1),
         };
-        let sign = whole(sign);
+        let sign = integer_constant(sign);
         let sine = CoordinateDefinition::Function(functions[0], inner.clone());
         let at = self.ring.find(&sine).unwrap_or_else(|| {
             let at = self.ring.coordinates.len();
@@ -421,7 +432,7 @@ impl Reader {
             sine = next;
         }
         if times < 0 {
-            sine = sine.scale(&whole(-1));
+            sine = sine.scale(&integer_constant(-1));
         }
         Ok([sine, cosine])
     }
@@ -437,7 +448,7 @@ const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
 ];
 
 /// Functions with derivative (a + b u²)^e. The entries are \[a, b\] and e as a fraction.
-const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
+const INVERSE_FUNCTIONS: [(Function, [i64; 2], [i64; 2]); 5] = [
     (Function::Atan, [1, 1], [-1, 1]),
     (Function::Asin, [1, -1], [-1, 2]),
     (Function::Asinh, [1, 1], [-1, 2]),
@@ -445,11 +456,11 @@ const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
     (Function::Atanh, [1, -1], [-1, 1]),
 ];
 
-const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
+const KNOWN_FUNCTIONS_HELP: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
                      cbrt, asin, atan, asinh, acosh, atanh and pow; for a product write `f*(…)`";
 
 /// Returns the reason why a function is not lifted, and a replacement.
-fn reason(function: &str) -> Option<(String, &'static str)> {
+fn reason_not_lifted(function: &str) -> Option<(String, &'static str)> {
     let help = match function {
         "acos" | "arccos" => "write `pi/2 - asin(u)` for `acos(u)`",
         "log2" => "write `c*log(u)`, with a parameter c = 1.4426950408889634",
@@ -490,11 +501,11 @@ fn unknown(function: &str) -> String {
     format!("`{function}(…)` is no function that can be lifted")
 }
 
-fn whole(number: i64) -> RationalFunction {
+fn integer_constant(number: i64) -> RationalFunction {
     RationalFunction::constant(Rational::from(number))
 }
 
-fn small(number: i64) -> i16 {
+fn to_exponent(number: i64) -> i16 {
     i16::try_from(number).expect("exponents are at most LARGEST_POWER, indices at most their multiple")
 }
 

@@ -6,7 +6,7 @@ use crate::ring::Function;
 
 const MOST_EVALUATIONS: usize = 40;
 /// Relative errors up to this multiple of 2⁻⁵² are taken for rounding errors.
-const ROUNDING: f64 = 8.0;
+const ROUNDING_UNITS: f64 = 8.0;
 
 /// Steps of a lifted map with symmetric projection onto relations w = g(x).
 ///
@@ -55,7 +55,7 @@ impl Reembedding {
             }
             // The iteration stops at rounding level, or just above if the error no longer
             // decreases.
-            let is_rounding = error <= ROUNDING * f64::EPSILON;
+            let is_rounding = error <= ROUNDING_UNITS * f64::EPSILON;
             if is_rounding || (error >= before && before <= 1e3 * f64::EPSILON) {
                 states.copy_from_slice(reached);
                 return true;

@@ -108,7 +108,7 @@ pub(crate) struct Coordinate {
 
 /// A relation between coordinates that rewrites monomials.
 #[derive(Clone, Debug)]
-enum Rule {
+enum RewriteRule {
     /// The monomial is replaced by the polynomial.
     Replace(Monomial, Laurent),
     /// The coordinate b is a root with b^index = `base`, and `instead` equals the leading monomial
@@ -122,7 +122,7 @@ enum Rule {
 pub(crate) struct Ring {
     /// The coordinates, with the states first. Arguments contain only earlier coordinates.
     pub coordinates: Vec<Coordinate>,
-    rules: Vec<Rule>,
+    rules: Vec<RewriteRule>,
     pub field: Vec<Laurent>,
     pub parameters: usize,
     derivatives: PolynomialCache,
@@ -177,14 +177,14 @@ impl Ring {
     }
 
     pub(crate) fn replace(&mut self, monomial: Monomial, polynomial: Laurent) {
-        self.rules.push(Rule::Replace(monomial, polynomial));
-        self.forget();
+        self.rules.push(RewriteRule::Replace(monomial, polynomial));
+        self.clear_cache();
     }
 
     pub(crate) fn relate_root(&mut self, coordinate: usize, index: i16, base: &Laurent) {
         let (leading, instead) = solved(base, Monomial::power(coordinate, index));
-        self.rules.push(Rule::Root { coordinate, index, base: base.clone(), leading, instead });
-        self.forget();
+        self.rules.push(RewriteRule::Root { coordinate, index, base: base.clone(), leading, instead });
+        self.clear_cache();
     }
 
     pub(crate) fn set_field(&mut self, field: Vec<Laurent>) {
@@ -197,7 +197,7 @@ impl Ring {
     ///
     /// The frequent sums are the polynomial factors of P′, P″ and P‴ for bases P of roots. Kepler's
     /// problem then becomes a problem in r, x·p and p·p.
-    pub(crate) fn grouped(&self) -> Option<Self> {
+    pub(crate) fn with_frequent_sums(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
         let bases = self.coordinates.iter().filter_map(|coordinate| match &coordinate.meaning {
@@ -225,7 +225,7 @@ impl Ring {
         (ring.coordinates.len() > self.coordinates.len()).then_some(ring)
     }
 
-    fn forget(&mut self) {
+    fn clear_cache(&mut self) {
         self.derivatives.known().clear();
         self.normal.known().clear();
     }
@@ -237,10 +237,10 @@ impl Ring {
     /// Rewrites a monomial by one rule. Returns `None` if the monomial is in normal form.
     fn rewritten(&self, monomial: &Monomial) -> Option<Laurent> {
         self.rules.iter().find_map(|rule| match rule {
-            Rule::Replace(from, to) => {
+            RewriteRule::Replace(from, to) => {
                 monomial.is_multiple_of(from).then(|| to.shifted(&monomial.over(from)))
             }
-            Rule::Root { coordinate, index, base, leading, instead } => {
+            RewriteRule::Root { coordinate, index, base, leading, instead } => {
                 let exponent = monomial.exponent(*coordinate);
                 let root = Monomial::power(*coordinate, *index);
                 if exponent >= *index {
@@ -264,7 +264,7 @@ impl Ring {
         })
     }
 
-    pub(crate) fn normal(&self, monomial: &Monomial) -> Laurent {
+    pub(crate) fn normal_form(&self, monomial: &Monomial) -> Laurent {
         if let Some(known) = self.normal.known().get(monomial) {
             return known.clone();
         }
@@ -279,7 +279,7 @@ impl Ring {
     pub(crate) fn normalised(&self, polynomial: &Laurent) -> Laurent {
         let mut sum = Laurent::zero();
         for (monomial, coefficient) in polynomial.terms() {
-            sum.add_scaled(&self.normal(monomial), coefficient);
+            sum.add_scaled(&self.normal_form(monomial), coefficient);
         }
         sum
     }

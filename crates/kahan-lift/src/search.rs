@@ -14,11 +14,11 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::{CoordinateDefinition, Ring};
-use crate::table::{MonomialId, Table};
+use crate::table::{MonomialId, MonomialTable};
 
 /// The given variables, and the monomials that must be written in variables.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Problem {
+pub(crate) struct CoverProblem {
     /// Monomials that are already variables.
     pub given: Vec<Monomial>,
     /// Polynomials that are already variables.
@@ -77,9 +77,9 @@ impl MonomialCover {
 }
 
 struct Search<'a> {
-    table: Table<'a>,
+    table: MonomialTable<'a>,
     ring: &'a Ring,
-    problem: &'a Problem,
+    problem: &'a CoverProblem,
     given: Vec<MonomialId>,
     required: Vec<MonomialId>,
     nodes: usize,
@@ -95,13 +95,13 @@ struct Search<'a> {
 /// found.
 pub(crate) fn search(
     ring: &Ring,
-    problem: &Problem,
+    problem: &CoverProblem,
     budget: usize,
     surplus: usize,
     most: usize,
 ) -> Option<VariableSets> {
     let mut search = Search::new(ring, problem, budget);
-    let greedy = search.greedy(most);
+    let greedy = search.greedy_set(most);
     // If the greedy search exceeds a limit from another ring, a full search rarely succeeds.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
@@ -124,13 +124,13 @@ pub(crate) fn search(
         }
         return Some(VariableSets { sets: search.monomials(sets), is_optimal: true });
     }
-    let set = search.improved(greedy?, budget / NODES_A_CHANGE);
+    let set = search.locally_improved(greedy?, budget / NODES_A_CHANGE);
     Some(VariableSets { sets: search.monomials(vec![set]), is_optimal: false })
 }
 
 /// Finds a closed set, not always a smallest one. Each variable is a product of two others, or the
 /// inverse of a polynomial.
-pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Laurent>> {
+pub(crate) fn founded(ring: &Ring, problem: &CoverProblem) -> Option<Vec<Laurent>> {
     let mut search = Search { founded: true, ..Search::new(ring, problem, 0) };
     let mut seeds: Vec<MonomialId> = Vec::new();
     for coordinate in &ring.coordinates {
@@ -150,14 +150,14 @@ pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Laurent>> {
         }
     }
     let closed = search.closure(seeds, MOST_VARIABLES, 0)?;
-    let set = search.reduced(closed);
+    let set = search.without_unnecessary(closed);
     search.are_founded(&set).then(|| search.monomials(vec![set]).pop())?
 }
 
 impl<'a> Search<'a> {
-    fn new(ring: &'a Ring, problem: &'a Problem, budget: usize) -> Self {
+    fn new(ring: &'a Ring, problem: &'a CoverProblem, budget: usize) -> Self {
         let sizes = problem.required.iter().map(Monomial::size);
-        let mut table = Table::new(ring);
+        let mut table = MonomialTable::new(ring);
         Search {
             ring,
             problem,
@@ -224,7 +224,7 @@ impl<'a> Search<'a> {
     /// Returns the monomials that products of at most two variables cover.
     fn cover(&mut self, new: &[MonomialId]) -> MonomialCover {
         let mut cover = MonomialCover::default();
-        cover.covered.insert(Table::ONE);
+        cover.covered.insert(MonomialTable::ONE);
         for (i, sum) in self.problem.sums.iter().enumerate() {
             cover.composite.push(self.table.support(sum));
             for other in &self.problem.sums[i..] {
@@ -279,7 +279,7 @@ impl<'a> Search<'a> {
     fn is_allowed(&self, id: MonomialId) -> bool {
         let monomial = self.table.monomial(id);
         let negative = &self.problem.negative;
-        id != Table::ONE
+        id != MonomialTable::ONE
             && !self.given.contains(&id)
             && self.table.rewritten(id).is_none()
             && monomial.size() <= self.largest
@@ -287,7 +287,7 @@ impl<'a> Search<'a> {
     }
 
     /// Returns monomials each of which, as a new variable, makes `target` a product of variables.
-    fn singles(&mut self, target: MonomialId, new: &[MonomialId]) -> Vec<MonomialId> {
+    fn single_factors(&mut self, target: MonomialId, new: &[MonomialId]) -> Vec<MonomialId> {
         let monomial = self.table.monomial(target).clone();
         let variables: Vec<MonomialId> = self.given.iter().chain(new).copied().collect();
         let quotients = variables.iter().map(|&variable| monomial.over(self.table.monomial(variable)));
@@ -345,7 +345,7 @@ impl<'a> Search<'a> {
         }
         let mut options: Option<(Vec<MonomialId>, MonomialId)> = None;
         for &target in missing.iter().take(40) {
-            let singles = self.singles(target, new);
+            let singles = self.single_factors(target, new);
             if options.as_ref().is_none_or(|(best, _)| singles.len() < best.len()) {
                 options = Some((singles, target));
             }
@@ -376,13 +376,13 @@ impl<'a> Search<'a> {
 
     /// Returns a closed set. Variables that leave the fewest missing monomials are added first.
     /// Unnecessary variables are removed at the end.
-    fn greedy(&mut self, most: usize) -> Option<Vec<MonomialId>> {
+    fn greedy_set(&mut self, most: usize) -> Option<Vec<MonomialId>> {
         let closed = self.closure(Vec::new(), most, 0)?;
-        Some(self.reduced(closed))
+        Some(self.without_unnecessary(closed))
     }
 
     /// Removes variables while the set can be closed with fewer variables.
-    fn reduced(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
+    fn without_unnecessary(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
         let mut at = 0;
         while at < best.len() {
             let mut fewer = best.clone();
@@ -412,7 +412,7 @@ impl<'a> Search<'a> {
                 return None;
             }
             let mut ranked: Vec<(usize, u64, MonomialId, MonomialCover)> = Vec::new();
-            for single in self.singles(target, &new) {
+            for single in self.single_factors(target, &new) {
                 if !self.is_founded(single, &new) {
                     continue;
                 }
@@ -437,7 +437,7 @@ impl<'a> Search<'a> {
     }
 
     /// Improves a closed set by removing up to four random variables and closing the set again.
-    fn improved(&mut self, mut best: Vec<MonomialId>, most: usize) -> Vec<MonomialId> {
+    fn locally_improved(&mut self, mut best: Vec<MonomialId>, most: usize) -> Vec<MonomialId> {
         let mut random = Shake256::new(b"local changes");
         let mut since = 0;
         let mut current = best.clone();

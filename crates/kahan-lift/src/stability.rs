@@ -17,7 +17,7 @@ const HORIZON: f64 = 100.0;
 pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
 pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
 /// The computation ends at this amplification of errors.
-const HOPELESS: f64 = 1e8;
+const MAX_AMPLIFICATION: f64 = 1e8;
 const MOST_POINTS: usize = 20_000;
 /// A step of the orbit has at most this many parts.
 const MOST_PARTS: f64 = 64.0;
@@ -140,7 +140,7 @@ impl Orbit {
             let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
             entries.fold(0.0, |norm: f64, (i, k)| norm.max(matrix[i * count + k].abs() * scale(i, k)))
         };
-        let hopeless = libm::log(HOPELESS);
+        let hopeless = libm::log(MAX_AMPLIFICATION);
         let (mut logarithm, mut last, mut most, mut half, mut time) = (0.0, 0.0, 0.0_f64, 0.0_f64, 0.0);
         for (h, x) in &self.points {
             let values = entries.values(x, &self.parameters);

@@ -10,7 +10,7 @@ use crate::ring::Ring;
 pub(crate) type MonomialId = u32;
 
 #[derive(Clone, Debug)]
-struct Entry {
+struct MonomialEntry {
     monomial: Monomial,
     /// The monomials of the normal form. `None` for monomials in normal form.
     rewritten: Option<Rc<[MonomialId]>>,
@@ -18,19 +18,23 @@ struct Entry {
 }
 
 #[derive(Debug)]
-pub(crate) struct Table<'a> {
+pub(crate) struct MonomialTable<'a> {
     ring: &'a Ring,
-    entries: Vec<Entry>,
+    entries: Vec<MonomialEntry>,
     ids: FxHashMap<Monomial, MonomialId>,
     products: FxHashMap<(MonomialId, MonomialId), MonomialId>,
 }
 
-impl<'a> Table<'a> {
+impl<'a> MonomialTable<'a> {
     pub(crate) const ONE: MonomialId = 0;
 
     pub(crate) fn new(ring: &'a Ring) -> Self {
-        let mut table =
-            Table { ring, entries: Vec::new(), ids: FxHashMap::default(), products: FxHashMap::default() };
+        let mut table = MonomialTable {
+            ring,
+            entries: Vec::new(),
+            ids: FxHashMap::default(),
+            products: FxHashMap::default(),
+        };
         table.id(&Monomial::one());
         table
     }
@@ -42,9 +46,9 @@ impl<'a> Table<'a> {
         }
         let id = MonomialId::try_from(self.entries.len()).expect("a search meets fewer monomials");
         self.ids.insert(monomial.clone(), id);
-        self.entries.push(Entry { monomial: monomial.clone(), rewritten: None, derivative: None });
+        self.entries.push(MonomialEntry { monomial: monomial.clone(), rewritten: None, derivative: None });
         if !self.ring.is_normal(monomial) {
-            self.entries[id as usize].rewritten = Some(self.support(&self.ring.normal(monomial)));
+            self.entries[id as usize].rewritten = Some(self.support(&self.ring.normal_form(monomial)));
         }
         id
     }

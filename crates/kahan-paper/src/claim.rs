@@ -156,7 +156,7 @@ impl Claim {
     }
 
     /// Puts the definitions that the statement uses in front of the statement.
-    pub(super) fn spelling(mut self, definitions: &str) -> Self {
+    pub(super) fn with_used_definitions(mut self, definitions: &str) -> Self {
         self.statement = with_definitions(definitions, &self.statement);
         self
     }

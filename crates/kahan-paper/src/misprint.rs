@@ -18,7 +18,7 @@ impl Claim {
         let only_printed = printed.iter().filter(|item| !right.contains(item));
         let only_right: Vec<&String> = right.iter().filter(|item| !printed.contains(item)).collect();
         let pairs = only_printed.flat_map(|item| only_right.iter().map(move |right| (item, *right)));
-        let (printed, right) = pairs.min_by_key(|(printed, right)| Reverse(in_common(printed, right)))?;
+        let (printed, right) = pairs.min_by_key(|(printed, right)| Reverse(common_words(printed, right)))?;
         Some((printed.clone(), right.clone()))
     }
 }
@@ -28,7 +28,7 @@ fn items(statement: &str) -> Vec<String> {
 }
 
 /// Counts the common words at the beginnings and at the ends of two items.
-fn in_common(a: &str, b: &str) -> usize {
+fn common_words(a: &str, b: &str) -> usize {
     let pairs = a.split(' ').zip(b.split(' '));
     let reversed = a.rsplit(' ').zip(b.rsplit(' '));
     pairs.take_while(|(a, b)| a == b).count() + reversed.take_while(|(a, b)| a == b).count()

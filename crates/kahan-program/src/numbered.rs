@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 
 use rustc_hash::FxHasher;
 
-const NONE: u32 = u32::MAX;
+const END_OF_BUCKET: u32 = u32::MAX;
 
 /// A set of distinct items, numbered in order of insertion.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,7 +26,7 @@ pub struct Numbered<T> {
 
 impl<T> Default for Numbered<T> {
     fn default() -> Self {
-        Numbered { items: Vec::new(), keys: Vec::new(), before: Vec::new(), last: vec![NONE; 16] }
+        Numbered { items: Vec::new(), keys: Vec::new(), before: Vec::new(), last: vec![END_OF_BUCKET; 16] }
     }
 }
 
@@ -54,7 +54,7 @@ impl<T: Hash + PartialEq> Numbered<T> {
     fn with_key(&self, key: u32, item: &T) -> Option<usize> {
         let (items, keys, before): (&[T], &[u32], &[u32]) = (&self.items, &self.keys, &self.before);
         let mut at = self.last[self.bucket(key)];
-        while at != NONE {
+        while at != END_OF_BUCKET {
             let number = at as usize;
             if keys[number] == key && items[number] == *item {
                 return Some(number);
@@ -73,11 +73,11 @@ impl<T: Hash + PartialEq> Numbered<T> {
         let number = self.items.len();
         self.items.push(item);
         self.keys.push(key);
-        self.before.push(NONE);
+        self.before.push(END_OF_BUCKET);
         if number < self.last.len() {
             self.put_in_bucket(number);
         } else {
-            self.last = vec![NONE; 4 * self.last.len()];
+            self.last = vec![END_OF_BUCKET; 4 * self.last.len()];
             for number in 0..=number {
                 self.put_in_bucket(number);
             }

@@ -24,8 +24,8 @@ use kahan_dynamics::Precision;
 use smallvec::SmallVec;
 
 use crate::dimension::Argument;
-use crate::engine::{CodedStages, Engine, Stage, integral_constants, split, stage_constants};
-use crate::machine::{InstructionSet, StepKind};
+use crate::engine::{CompiledStages, Engine, Stage, integral_constants, split, stage_constants};
+use crate::machine_code::{InstructionSet, StepKind};
 use crate::{DimensionError, Map};
 
 pub use crate::engine::{MachineFloat, RuntimeFloat};
@@ -53,7 +53,7 @@ pub struct MapAt<T: RuntimeFloat> {
     /// The instruction set for columns; `None` for the widest available one.
     set: Option<InstructionSet>,
     stages: Arc<OnceLock<Vec<Stage<T>>>>,
-    coded: Option<CodedStages<T>>,
+    coded: Option<CompiledStages<T>>,
     variational: Arc<OnceLock<MapAt<T>>>,
     poles: Arc<OnceLock<Vec<passed_poles::StagePoles<T>>>>,
 }
@@ -121,10 +121,10 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// Returns ε, half the time step.
     #[must_use]
     pub fn eps(&self) -> T {
-        self.own().1
+        self.parameters_and_eps().1
     }
 
-    pub(crate) fn own(&self) -> (&[T], T) {
+    pub(crate) fn parameters_and_eps(&self) -> (&[T], T) {
         split(&self.constants)
     }
 
@@ -145,7 +145,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             self.engine().advance(self.kind, self.stages(), numbers, steps);
         };
         let carries = !numbers[1].is_empty();
-        let coded = |stages| Some((stages, CodedStages::code(stages, self.engine(), carries, steps)?));
+        let coded = |stages| Some((stages, CompiledStages::code(stages, self.engine(), carries, steps)?));
         match self.coded.as_ref().and_then(coded) {
             Some((stages, code)) => stages.advance(code, numbers, steps, interpret),
             None => interpret(numbers, steps),
@@ -233,20 +233,20 @@ impl<T: RuntimeFloat> Step for MapAt<T> {
 
     #[track_caller]
     fn advance(&self, x: &mut [T], steps: u64, _room: &mut Workspace) -> Result<(), Stopped> {
-        fitting(MapAt::advance(self, x, steps));
+        expect_fit(MapAt::advance(self, x, steps));
         Ok(())
     }
 
     #[track_caller]
     fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
-        fitting(self.check_state(x));
-        let constants = (self.own().0, *eps);
+        expect_fit(self.check_state(x));
+        let constants = (self.parameters_and_eps().0, *eps);
         let by_code =
-            |stages: &CodedStages<T>| stages.has_stepped_at(self.engine(), constants, self.composition, x);
+            |stages: &CompiledStages<T>| stages.has_stepped_at(self.engine(), constants, self.composition, x);
         if self.coded.as_ref().is_some_and(by_code) {
             return Ok(());
         }
-        let part = self.at_constants(self.map.clone(), self.own().0.iter().copied(), *eps);
+        let part = self.at_constants(self.map.clone(), self.parameters_and_eps().0.iter().copied(), *eps);
         Step::advance(&part, x, 1, workspace)
     }
 }
@@ -264,14 +264,14 @@ impl<T: RuntimeFloat> Increments for MapAt<T> {
     #[track_caller]
     fn advance_with_carry(&self, x: &mut [T], steps: u64, _room: &mut Workspace) -> Result<(), Stopped> {
         let (point, carry) = x.split_at_mut(x.len().min(self.dimension()));
-        fitting(MapAt::advance_with_carry(self, point, carry, steps));
+        expect_fit(MapAt::advance_with_carry(self, point, carry, steps));
         Ok(())
     }
 }
 
 /// Panics with the text of an error, for traits whose methods cannot return the error.
 #[track_caller]
-pub(crate) fn fitting(checked: Result<(), DimensionError>) {
+pub(crate) fn expect_fit(checked: Result<(), DimensionError>) {
     if let Err(error) = checked {
         panic!("{error}")
     }

@@ -29,22 +29,22 @@ pub struct Coefficients {
 }
 
 /// A monomial packed into an integer: two states in increasing order, then a parameter, with
-/// [`BITS`] bits each. Keys are ordered like the terms of a polynomial.
+/// [`INDEX_BITS`] bits each. Keys are ordered like the terms of a polynomial.
 type TermKey = u64;
 
 /// The number of bits of an index in a packed monomial; actual indices have at most 16 bits.
-const BITS: u32 = 20;
+const INDEX_BITS: u32 = 20;
 /// The index that stands for an absent state or parameter.
-const NONE: TermKey = (1 << BITS) - 1;
+const ABSENT_INDEX: TermKey = (1 << INDEX_BITS) - 1;
 
-fn place(states: [Option<usize>; 2], parameter: Option<usize>) -> TermKey {
+fn term_key(states: [Option<usize>; 2], parameter: Option<usize>) -> TermKey {
     let [first, second, parameter] =
-        [states[0], states[1], parameter].map(|index| index.map_or(NONE, |index| index as TermKey));
+        [states[0], states[1], parameter].map(|index| index.map_or(ABSENT_INDEX, |index| index as TermKey));
     let (first, second) = match (first.min(second), first.max(second)) {
-        (state, NONE) => (NONE, state),
+        (state, ABSENT_INDEX) => (ABSENT_INDEX, state),
         both => both,
     };
-    (first << BITS | second) << BITS | parameter
+    (first << INDEX_BITS | second) << INDEX_BITS | parameter
 }
 
 /// The reason why coefficients do not define a field.
@@ -143,7 +143,7 @@ impl Coefficients {
             return Err(CoefficientError::NotFinite { component });
         }
         if value != 0.0 {
-            self.components[component].push((place(states, parameter), value));
+            self.components[component].push((term_key(states, parameter), value));
         }
         Ok(())
     }
@@ -166,9 +166,9 @@ impl Coefficients {
                 is_half
             });
             terms.into_iter().map(move |(place, value)| {
-                let [first, second, parameter] = [2 * BITS, BITS, 0].map(|shift| {
-                    let index = place >> shift & NONE;
-                    (index != NONE).then_some(index as usize)
+                let [first, second, parameter] = [2 * INDEX_BITS, INDEX_BITS, 0].map(|shift| {
+                    let index = place >> shift & ABSENT_INDEX;
+                    (index != ABSENT_INDEX).then_some(index as usize)
                 });
                 let value = Rational::from_f64(value).expect("only finite numbers were added");
                 Coefficient { component, states: [first, second], parameter, value }

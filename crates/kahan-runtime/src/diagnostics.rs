@@ -19,8 +19,8 @@ pub struct Diagnostics {
 
 impl Diagnostics {
     pub(crate) fn new(mistakes: Vec<Diagnostic>, text: &str, ranges: &[Range<usize>], origin: &str) -> Self {
-        const MOST: usize = 8;
-        let reports = mistakes.iter().take(MOST).map(|mistake| report(mistake, text, ranges, origin));
+        const MAX_SHOWN: usize = 8;
+        let reports = mistakes.iter().take(MAX_SHOWN).map(|mistake| report(mistake, text, ranges, origin));
         let places = mistakes.iter().map(|mistake| place(mistake, text, ranges));
         Diagnostics { places: places.collect(), reports: reports.collect(), mistakes }
     }

@@ -50,7 +50,7 @@ pub mod interpreted;
 mod lattice;
 mod line;
 mod literal;
-mod machine;
+mod machine_code;
 mod map;
 mod observed;
 pub mod orbit;

@@ -39,12 +39,12 @@ impl Function for Reciprocal {
     }
 }
 
-struct Scalars<V> {
+struct ScalarArithmetic<V> {
     has_poles: bool,
     scalar: PhantomData<V>,
 }
 
-impl<V: Scalar> Arithmetic for Scalars<V> {
+impl<V: Scalar> Arithmetic for ScalarArithmetic<V> {
     type Value = V;
     type Constant = Box<Literal>;
 
@@ -97,7 +97,7 @@ impl<V: Scalar> Arithmetic for Scalars<V> {
     }
 }
 
-impl<V: Scalar> Calls<Reciprocal> for Scalars<V> {
+impl<V: Scalar> Calls<Reciprocal> for ScalarArithmetic<V> {
     #[inline(always)]
     fn call(&self, _: &Reciprocal, a: &V, _: &V) -> Option<V> {
         a.reciprocal()
@@ -111,7 +111,7 @@ impl Line {
     }
 
     /// Prepares a plan in which a division by zero yields no value.
-    pub(crate) fn with_poles(plan: &Plan, symbols: &Symbols) -> Self {
+    pub(crate) fn with_checked_divisions(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, true)
     }
 
@@ -207,7 +207,7 @@ impl Line {
     ) -> Option<Results<'a, V>> {
         let first = self.given + self.states;
         registers[self.given..first].clone_from_slice(&state[..self.states]);
-        let scalars = Scalars { has_poles: self.has_poles, scalar: PhantomData };
+        let scalars = ScalarArithmetic { has_poles: self.has_poles, scalar: PhantomData };
         self.program.compute(&scalars, first, registers)?;
         Some(Results { registers, places: &self.program.outputs })
     }

@@ -23,22 +23,22 @@ use crate::diagnostics::Diagnostics;
 /// A field in a text. The text is read once; clones share the text and its equations.
 #[derive(Clone, Debug)]
 pub struct FieldText {
-    shared: Arc<Shared>,
+    shared: Arc<SharedText>,
 }
 
 #[derive(Debug)]
-struct Shared {
+struct SharedText {
     /// The text. For a field made from a system, the text is written at first use.
     text: OnceLock<String>,
     /// The range of the block in the text; `None` for a field made from a system.
     body: Option<Range<usize>>,
     origin: String,
-    said: OnceLock<TextReading>,
+    said: OnceLock<ReadText>,
     unproved: OnceLock<Checked>,
 }
 
 #[derive(Debug)]
-struct TextReading {
+struct ReadText {
     /// The block in the language of `kahan!`, if the text has another notation.
     canonical: Option<String>,
     /// The parsed block; its tokens are not stored.
@@ -69,20 +69,20 @@ impl FieldText {
         body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let (said, unproved) = (OnceLock::new(), OnceLock::new());
         let (text, body) = (OnceLock::from(text), Some(body));
-        FieldText { shared: Arc::new(Shared { text, body, origin, said, unproved }) }
+        FieldText { shared: Arc::new(SharedText { text, body, origin, said, unproved }) }
     }
 
     /// Wraps a system, whose claims are not proved again. The text of the system is written at
     /// first use; `origin` names the text in reports.
     #[must_use]
     pub fn of_system(system: System, origin: String) -> Self {
-        let said = TextReading { canonical: None, reading: Reading::default() };
+        let said = ReadText { canonical: None, reading: Reading::default() };
         let (said, unproved) = (OnceLock::from(said), OnceLock::from(Checked::System(system)));
         let text = OnceLock::new();
-        FieldText { shared: Arc::new(Shared { text, body: None, origin, said, unproved }) }
+        FieldText { shared: Arc::new(SharedText { text, body: None, origin, said, unproved }) }
     }
 
-    fn is_made(&self) -> bool {
+    fn is_generated(&self) -> bool {
         self.shared.body.is_none()
     }
 
@@ -108,11 +108,11 @@ impl FieldText {
         self.shared.unproved.get_or_init(|| read_unproved_text(self.given()))
     }
 
-    fn reading(&self) -> &TextReading {
+    fn read_text(&self) -> &ReadText {
         self.shared.said.get_or_init(|| {
             let reading = lenient::read(self.given());
             let canonical = (!reading.is_canonical).then(|| reading.canonical());
-            TextReading { canonical, reading: Reading { lexed: Lexed::default(), ..reading } }
+            ReadText { canonical, reading: Reading { lexed: Lexed::default(), ..reading } }
         })
     }
 
@@ -121,7 +121,7 @@ impl FieldText {
     /// # Errors
     /// [`Diagnostics`] with the mistakes of the text.
     pub fn system(&self) -> Result<System, Diagnostics> {
-        if self.is_made() { self.unproved_system() } else { self.accept(read(&self.tokens()).system()) }
+        if self.is_generated() { self.unproved_system() } else { self.accept(read(&self.tokens()).system()) }
     }
 
     /// Returns the family, after proving its claims for every number of sites; `None` for a system.
@@ -129,7 +129,7 @@ impl FieldText {
     /// # Errors
     /// [`Diagnostics`] with the mistakes of the text.
     pub fn family(&self) -> Result<Option<Family>, Diagnostics> {
-        if self.is_made() { Ok(None) } else { self.accept(read(&self.tokens()).family()) }
+        if self.is_generated() { Ok(None) } else { self.accept(read(&self.tokens()).family()) }
     }
 
     /// Returns the system with its claims unproved.
@@ -156,7 +156,7 @@ impl FieldText {
     /// # Errors
     /// [`Diagnostics`] with the claims that do not hold.
     pub fn prove(&self, system: &System) -> Result<(), Diagnostics> {
-        if system.claims.is_empty() || self.is_made() {
+        if system.claims.is_empty() || self.is_generated() {
             return Ok(());
         }
         let mut mistakes = kahan_algebra::diagnostics::Diagnostics::default();
@@ -189,25 +189,25 @@ impl FieldText {
     /// Returns the field in the language of `kahan!`; a text in this language is returned as given.
     #[must_use]
     pub fn text(&self) -> &str {
-        self.reading().canonical.as_deref().unwrap_or_else(|| self.given())
+        self.read_text().canonical.as_deref().unwrap_or_else(|| self.given())
     }
 
     /// Returns the values that the text gives to parameters: `par a=1`, `a = 1`.
     #[must_use]
     pub fn parameters(&self) -> &[(String, Rational)] {
-        &self.reading().reading.parameters
+        &self.read_text().reading.parameters
     }
 
     /// Returns the initial values that the text gives to states: `init x=1`, `x(0) = 1`.
     #[must_use]
     pub fn start(&self) -> &[(String, Rational)] {
-        &self.reading().reading.start
+        &self.read_text().reading.start
     }
 
     /// Returns notes on interpretations that the author may not expect.
     #[must_use]
     pub fn notes(&self) -> &[String] {
-        &self.reading().reading.notes
+        &self.read_text().reading.notes
     }
 
     /// Returns the random seed with which the macro proves claims.

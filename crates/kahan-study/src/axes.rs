@@ -103,13 +103,13 @@ pub(crate) fn serialize<T: NamedValueList, S: Serializer>(
 pub(crate) fn deserialize<'de, T: NamedValueList, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<T, D::Error> {
-    let entries = deserializer.deserialize_any(Object(PhantomData))?;
+    let entries = deserializer.deserialize_any(NamedValuesVisitor(PhantomData))?;
     T::of(entries).map_err(D::Error::custom)
 }
 
-struct Object<E>(PhantomData<E>);
+struct NamedValuesVisitor<E>(PhantomData<E>);
 
-impl<'de, E: NamedValues> Visitor<'de> for Object<E> {
+impl<'de, E: NamedValues> Visitor<'de> for NamedValuesVisitor<E> {
     type Value = Vec<E>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -123,16 +123,16 @@ impl<'de, E: NamedValues> Visitor<'de> for Object<E> {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Vec<E>, A::Error> {
         let mut entries = Vec::new();
         while let Some(name) = map.next_key::<String>()? {
-            entries.push(map.next_value_seed(Named(&name, PhantomData))?);
+            entries.push(map.next_value_seed(NamedEntrySeed(&name, PhantomData))?);
         }
         Ok(entries)
     }
 }
 
 /// Reads the values of the axis with this name.
-struct Named<'a, E>(&'a str, PhantomData<E>);
+struct NamedEntrySeed<'a, E>(&'a str, PhantomData<E>);
 
-impl<'de, E: NamedValues> DeserializeSeed<'de> for Named<'_, E> {
+impl<'de, E: NamedValues> DeserializeSeed<'de> for NamedEntrySeed<'_, E> {
     type Value = E;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<E, D::Error> {

@@ -16,11 +16,11 @@ use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::{parse_formula, parse_formulas};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::report;
-use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
+use kahan_algebra::syntax::{Expr, ExprKind, FormulaSyntax};
 use kahan_algebra::token::{Span, Token};
 use kahan_program::{Calls, Function, Node, Program};
 
-pub(crate) use lanes::Abreast;
+pub(crate) use lanes::FormulaGroup;
 
 type Unary = fn(f64) -> f64;
 
@@ -283,7 +283,7 @@ struct Names<'a> {
 }
 
 impl Names<'_> {
-    fn formula(&self, expr: &Expr<InFormula>) -> Result<Formula, Diagnostic> {
+    fn formula(&self, expr: &Expr<FormulaSyntax>) -> Result<Formula, Diagnostic> {
         let mut builder = Builder::default();
         let value = self.lower(&mut builder, expr)?;
         Ok(Formula::new(builder.finish(&[value]), self.variables.len(), self.known))
@@ -293,7 +293,7 @@ impl Names<'_> {
         read(text, |tokens| self.lower(builder, &parse_formula(tokens)?))
     }
 
-    fn lower(&self, builder: &mut Builder, expr: &Expr<InFormula>) -> Result<Node, Diagnostic> {
+    fn lower(&self, builder: &mut Builder, expr: &Expr<FormulaSyntax>) -> Result<Node, Diagnostic> {
         let operation = match &expr.kind {
             ExprKind::Number(value) => Operation::Constant(value.clone()),
             ExprKind::Name(name) => return self.named(builder, name, expr.span),
@@ -314,12 +314,12 @@ impl Names<'_> {
                     builder.push(Operation::Constant(Rational::from(*exponent))),
                 )
             }
-            ExprKind::Special(InFormula::Power(parts)) => {
+            ExprKind::Special(FormulaSyntax::Power(parts)) => {
                 let [base, exponent] = &**parts;
                 let base = self.lower(builder, base)?;
                 Operation::Call(Called::Power, base, self.lower(builder, exponent)?)
             }
-            ExprKind::Special(InFormula::Call { function, arguments }) => {
+            ExprKind::Special(FormulaSyntax::Call { function, arguments }) => {
                 let (function, argument) = self.call(builder, function, arguments, expr.span)?;
                 let argument = self.lower(builder, argument)?;
                 Operation::Call(function, argument, argument)
@@ -332,7 +332,7 @@ impl Names<'_> {
     fn chain<'a>(
         &self,
         builder: &mut Builder,
-        operands: impl Iterator<Item = (bool, &'a Expr<InFormula>)>,
+        operands: impl Iterator<Item = (bool, &'a Expr<FormulaSyntax>)>,
         operator: fn(Node, Node) -> Operation,
         inverse: fn(Node, Node) -> Operation,
     ) -> Result<Node, Diagnostic> {
@@ -377,9 +377,9 @@ impl Names<'_> {
         &self,
         builder: &mut Builder,
         name: &str,
-        arguments: &'a [Expr<InFormula>],
+        arguments: &'a [Expr<FormulaSyntax>],
         span: Span,
-    ) -> Result<(Called, &'a Expr<InFormula>), Diagnostic> {
+    ) -> Result<(Called, &'a Expr<FormulaSyntax>), Diagnostic> {
         let Some(index) = FUNCTIONS.iter().position(|(known, _)| *known == name) else {
             let help = match self.named(builder, name, span) {
                 Ok(_) => format!("for a product write `{name}*(…)`"),

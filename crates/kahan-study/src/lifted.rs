@@ -130,13 +130,13 @@ impl Lifted {
     }
 
     /// Selects the values of the lift's parameters from the values of all parameters of the field.
-    fn own(&self, values: &[f64]) -> Vec<f64> {
+    fn lift_parameters(&self, values: &[f64]) -> Vec<f64> {
         self.parameters.iter().map(|place| place.map_or(f64::NAN, |place| values[place])).collect()
     }
 
     /// Extends a point of the original variables to all variables; NaN for undefined values.
     fn embed(&self, at: &[f64], values: &[f64], time: f64) -> Vec<f64> {
-        let own = self.own(values);
+        let own = self.lift_parameters(values);
         let time = self.lift.has_time.then_some(time);
         let states: Vec<f64> = at.iter().copied().chain(time).collect();
         let new = self.lift.embed(&states, &own);
@@ -251,7 +251,7 @@ impl Relations for Lifted {
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64> {
         let slopes = self.slopes.get_or_init(|| self.lift.slopes());
         let of_time = vec![0.0; usize::from(self.lift.has_time) * self.original.len()];
-        let of_new = slopes.values(&x[..self.lift.states.len()], &self.own(parameters));
+        let of_new = slopes.values(&x[..self.lift.states.len()], &self.lift_parameters(parameters));
         of_time.into_iter().chain(of_new).collect()
     }
 }
@@ -367,27 +367,31 @@ impl Study {
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
 /// The number of segments in an eighth of an orbit.
-const EIGHTH: usize = 50;
+const SEGMENTS_PER_EIGHTH: usize = 50;
 /// An error that grows by this factor from the first to the last eighth of an orbit drifts.
-const DRIFT: f64 = 1.5;
+const DRIFT_GROWTH: f64 = 1.5;
 /// Errors of relations up to this size are attributed to rounding.
-const ROUNDING: f64 = 1e-11;
+const LARGEST_ROUNDING_ERROR: f64 = 1e-11;
 
 impl RelationErrors {
     /// Returns the growth of a relation's error from the first to the last eighth of the orbit.
     pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
-        let (first, last) = (errors.get(..EIGHTH)?, errors.get(7 * EIGHTH..8 * EIGHTH)?);
-        let [first, last] = [first, last].map(|part| part.iter().copied().fold(ROUNDING, f64::max));
+        let (first, last) = (
+            errors.get(..SEGMENTS_PER_EIGHTH)?,
+            errors.get(7 * SEGMENTS_PER_EIGHTH..8 * SEGMENTS_PER_EIGHTH)?,
+        );
+        let [first, last] =
+            [first, last].map(|part| part.iter().copied().fold(LARGEST_ROUNDING_ERROR, f64::max));
         Some(last / first)
     }
 }
 
 impl Study {
     /// Measures the errors of the relations along an orbit until t = 100.
-    pub(crate) fn watched(&self, at: &[Rational], eps: f64) -> Result<RelationErrors, StudyError> {
+    pub(crate) fn measure_relations(&self, at: &[Rational], eps: f64) -> Result<RelationErrors, StudyError> {
         let steps = (HORIZON / (2.0 * eps)).ceil().clamp(8.0, 1e7) as u64;
-        self.relation_errors(at, &Rational::from_f64(eps).unwrap_or_default(), steps, 8 * EIGHTH)
+        self.relation_errors(at, &Rational::from_f64(eps).unwrap_or_default(), steps, 8 * SEGMENTS_PER_EIGHTH)
     }
 
     /// Returns the first point of the orbit along which the lift was chosen, if there is one.
@@ -412,7 +416,7 @@ impl Study {
             Some(start) => {
                 let point = self.point(start)?;
                 let new = point[lift.states.len()..].iter().map(|value| Some(value.to_f64()));
-                (new.collect(), Some(self.watched(start, eps)?))
+                (new.collect(), Some(self.measure_relations(start, eps)?))
             }
             None => (vec![None; lift.new.len()], None),
         };
@@ -553,9 +557,13 @@ impl RelationFate {
             RelationBehaviour::Kept => RelationFate::Kept,
             RelationBehaviour::Grows => RelationFate::Grows,
             RelationBehaviour::Decays => RelationFate::Decays,
-            RelationBehaviour::Bounded if drift.is_some_and(|drift| drift > DRIFT) => RelationFate::Drifts,
+            RelationBehaviour::Bounded if drift.is_some_and(|drift| drift > DRIFT_GROWTH) => {
+                RelationFate::Drifts
+            }
             RelationBehaviour::Bounded => RelationFate::Bounded,
-            RelationBehaviour::Drifts if drift.is_some_and(|drift| drift <= DRIFT) => RelationFate::Bounded,
+            RelationBehaviour::Drifts if drift.is_some_and(|drift| drift <= DRIFT_GROWTH) => {
+                RelationFate::Bounded
+            }
             RelationBehaviour::Drifts => RelationFate::Drifts,
         }
     }

@@ -33,7 +33,7 @@ pub enum LiftEnds {
 }
 
 /// An error of a relation that grows by more than this factor along an orbit causes a warning.
-const GROWTH: f64 = 100.0;
+const EXPONENTIAL_GROWTH: f64 = 100.0;
 
 impl LiftEnds {
     /// Describes the end of an orbit after `steps` steps.
@@ -79,11 +79,11 @@ impl Study {
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
-        let errors = self.watched(at, eps).ok()?;
+        let errors = self.measure_relations(at, eps).ok()?;
         let drifts = lift.relations.iter().enumerate();
         let drifts = drifts.filter_map(|(place, relation)| Some((relation, errors.drift(place)?)));
         let worst = drifts.max_by(|a, b| a.1.total_cmp(&b.1));
-        let (relation, drift) = worst.filter(|(_, drift)| *drift > GROWTH)?;
+        let (relation, drift) = worst.filter(|(_, drift)| *drift > EXPONENTIAL_GROWTH)?;
         Some(format!(
             "errors of the relation {} grow {drift:.0e}-fold in 100 units of time along this orbit, so that it is wrong after \
              some time: the lift was chosen without a start; choose it for this one, or another lift (smallest, stable, \

@@ -194,7 +194,7 @@ struct Array<'a> {
     data: &'a [u8],
 }
 
-const BROKEN: &str = "it is not a complete array of NumPy";
+const INCOMPLETE_ARRAY: &str = "it is not a complete array of NumPy";
 
 impl<'a> Array<'a> {
     fn of(bytes: &'a [u8]) -> Option<Self> {
@@ -214,13 +214,13 @@ impl<'a> Array<'a> {
     fn entries<const WIDTH: usize, V>(&self, read: impl Fn([u8; WIDTH]) -> V) -> Result<Vec<V>, String> {
         let (entries, rest) = self.data.as_chunks();
         if entries.len() != self.count || !rest.is_empty() {
-            return Err(BROKEN.to_owned());
+            return Err(INCOMPLETE_ARRAY.to_owned());
         }
-        Ok((0..self.count).map(|index| read(entries[self.place(index)])).collect())
+        Ok((0..self.count).map(|index| read(entries[self.stored_index(index)])).collect())
     }
 
     /// Converts a row-major index of an entry into the index at which the entry is stored.
-    fn place(&self, mut index: usize) -> usize {
+    fn stored_index(&self, mut index: usize) -> usize {
         if !self.is_fortran {
             return index;
         }
@@ -235,9 +235,10 @@ impl<'a> Array<'a> {
 }
 
 fn array<V: FileNumber>(bytes: &[u8]) -> Result<Numbers<V>, String> {
-    let array = Array::of(bytes).ok_or(BROKEN)?;
+    let array = Array::of(bytes).ok_or(INCOMPLETE_ARRAY)?;
     if array.descr.starts_with('[') {
-        let (names, kinds): (Vec<_>, Vec<_>) = fields(array.header).ok_or(BROKEN)?.into_iter().unzip();
+        let (names, kinds): (Vec<_>, Vec<_>) =
+            fields(array.header).ok_or(INCOMPLETE_ARRAY)?.into_iter().unzip();
         let values = records(array.data, &kinds).filter(|_| array.sizes.len() == 1);
         let values: Vec<V> = values.ok_or("its records are no rows of floats; save it with floats alone")?;
         let sizes = vec![array.count, names.len()];
@@ -245,7 +246,7 @@ fn array<V: FileNumber>(bytes: &[u8]) -> Result<Numbers<V>, String> {
         return if is_whole {
             Ok(Numbers { names: Some(names), sizes, values })
         } else {
-            Err(BROKEN.to_owned())
+            Err(INCOMPLETE_ARRAY.to_owned())
         };
     }
     let values = match array.descr {
@@ -261,15 +262,15 @@ fn array<V: FileNumber>(bytes: &[u8]) -> Result<Numbers<V>, String> {
 
 /// Reads an array of strings from `.npy`, or describes the mistake.
 pub fn words(bytes: &[u8]) -> Result<Vec<String>, String> {
-    let array = Array::of(bytes).ok_or(BROKEN)?;
+    let array = Array::of(bytes).ok_or(INCOMPLETE_ARRAY)?;
     let length: Option<usize> =
         array.descr.strip_prefix("'<U").and_then(|rest| rest.strip_suffix('\'')?.parse().ok());
     let length: usize = length.filter(|length| *length > 0).ok_or("its entries are no words")?;
     let (letters, rest) = array.data.as_chunks();
     if Some(letters.len()) != length.checked_mul(array.count) || !rest.is_empty() {
-        return Err(BROKEN.to_owned());
+        return Err(INCOMPLETE_ARRAY.to_owned());
     }
-    let letter = |bytes: &[u8; 4]| char::from_u32(u32::from_le_bytes(*bytes)).ok_or(BROKEN);
+    let letter = |bytes: &[u8; 4]| char::from_u32(u32::from_le_bytes(*bytes)).ok_or(INCOMPLETE_ARRAY);
     let word = |index: usize| {
         let letters = &letters[index * length..(index + 1) * length];
         let word: String = letters.iter().map(letter).collect::<Result<_, _>>()?;

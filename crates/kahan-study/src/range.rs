@@ -51,19 +51,19 @@ pub enum Spacing {
 }
 
 /// The most values of a range read by [`Range::read`].
-const MOST: usize = 100_000;
+const MAX_VALUES: usize = 100_000;
 /// The largest number of values on an axis of a table: 2⁴⁰ − 1 with 64-bit indices.
-const MANY: usize = usize::MAX >> (usize::BITS / 2 - 8);
+const MAX_TABLE_VALUES: usize = usize::MAX >> (usize::BITS / 2 - 8);
 
 impl Range {
     /// Reads `FROM:TO:COUNT`, `FROM:TO:+STEP` or `FROM:TO:/CELLS`, or describes the mistake.
     pub fn read(text: &str) -> Result<Self, NoRange> {
-        Self::up_to(MOST, text)
+        Self::up_to(MAX_VALUES, text)
     }
 
     /// Reads a range for an axis of a table, of fewer than 2⁴⁰ values.
     pub fn of_table(text: &str) -> Result<Self, NoRange> {
-        Self::up_to(MANY, text)
+        Self::up_to(MAX_TABLE_VALUES, text)
     }
 
     fn up_to(most: usize, text: &str) -> Result<Self, NoRange> {
@@ -106,7 +106,7 @@ impl Range {
         let exactly = |value: &f64| Rational::parse(&format!("{value:?}"));
         let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
         let range = Range { from, to, spacing: Spacing::Count(found.len()) };
-        range.check(MANY as u64).ok()?;
+        range.check(MAX_TABLE_VALUES as u64).ok()?;
         // A thousandth of the distance between values far exceeds the rounding error of a value.
         let near = 1e-3 * range.step().to_f64();
         let is_near = |(found, value): (&f64, Rational)| (found - value.to_f64()).abs() < near;
@@ -244,7 +244,7 @@ mod tests {
     use kahan_algebra::prime_field::SplitMix64;
     use kahan_algebra::rational::Rational;
 
-    use super::{MOST, Range, Spacing};
+    use super::{MAX_VALUES, Range, Spacing};
 
     fn read(text: &str) -> Result<Range, String> {
         Range::read(text).map_err(|why| why.to_string())
@@ -280,8 +280,12 @@ mod tests {
             for spacing in [Spacing::Count(7), Spacing::Cells(7), Spacing::Step(step)] {
                 let range = Range { from: from.clone(), to: to.clone(), spacing };
                 let text = format!("{range}");
-                assert_eq!(read(&text).ok(), range.check(MOST as u64).ok().map(|()| range.clone()), "{text}");
-                read_back += usize::from(range.check(MOST as u64).is_ok());
+                assert_eq!(
+                    read(&text).ok(),
+                    range.check(MAX_VALUES as u64).ok().map(|()| range.clone()),
+                    "{text}"
+                );
+                read_back += usize::from(range.check(MAX_VALUES as u64).is_ok());
             }
         }
     }

@@ -9,17 +9,18 @@ use crate::study::Study;
 
 const MOST_POINTS: u64 = 16;
 
-/// The largest number of points that are checked if the field has more than [`MANY`] variables.
+/// The largest number of points that are checked if the field has more than [`MANY_VARIABLES`]
+/// variables.
 const MOST_OF_MANY: u64 = 4;
 
 /// Above this number of variables, the matrix f′ at one point costs more than a row of a table.
-const MANY: usize = 32;
+const MANY_VARIABLES: usize = 32;
 
 /// The value of |2ελ| above which a component is not resolved.
-const FAST: f64 = 2.0;
+const UNRESOLVED_RATE: f64 = 2.0;
 
 /// The numbers of multiplications by f′ before and during the measurement of growth.
-const PRODUCTS: [u32; 2] = [16, 32];
+const PRODUCT_COUNTS: [u32; 2] = [16, 32];
 
 /// The rates of a field at points of an orbit.
 pub struct Rates {
@@ -46,7 +47,7 @@ impl Rates {
     /// Returns the distance between checked rows; `rows` is the number of all rows.
     #[must_use]
     pub fn stride(&self, rows: u64) -> u64 {
-        let most = if self.variables > MANY { MOST_OF_MANY } else { MOST_POINTS };
+        let most = if self.variables > MANY_VARIABLES { MOST_OF_MANY } else { MOST_POINTS };
         rows.div_ceil(most).max(1)
     }
 
@@ -66,9 +67,9 @@ impl Rates {
         let step = 2.0 * at.eps().abs();
         // The ∞-norm of f′ bounds every eigenvalue.
         let bound = jacobian.chunks_exact(x.len()).map(|row| row.iter().map(|entry| entry.abs()).sum());
-        if bound.fold(0.0, f64::max) * step > FAST {
+        if bound.fold(0.0, f64::max) * step > UNRESOLVED_RATE {
             let size = spectral_radius(jacobian, x.len()) * step;
-            *fast += u32::from(size > FAST);
+            *fast += u32::from(size > UNRESOLVED_RATE);
             *largest = largest.max(size);
         }
     }
@@ -82,7 +83,7 @@ impl Rates {
         (fast > 0 && 2 * fast >= count).then(|| {
             format!(
                 "fast components are not resolved: |2 eps lambda| is up to {} for an eigenvalue lambda of f' along the orbit, \
-                 and should be below {FAST}",
+                 and should be below {UNRESOLVED_RATE}",
                 largest()
             )
         })
@@ -94,7 +95,7 @@ fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
     // A symmetric field has invariant subspaces; a generic start lies outside of them.
     let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();
     let mut product = vec![0.0; n];
-    let [before, measured] = PRODUCTS;
+    let [before, measured] = PRODUCT_COUNTS;
     let mut growth = 0.0;
     for made in 0..before + measured {
         for (entry, row) in product.iter_mut().zip(matrix.chunks_exact(n)) {

@@ -30,14 +30,14 @@ pub struct ShownOrbit {
 
 const STEPS: u64 = 4000;
 /// An orbit has escaped if a point exceeds the size of the first point by this factor.
-const REACH: f64 = 1e3;
+const ESCAPE_RATIO: f64 = 1e3;
 /// The error of a lift's relations above which a smaller ε is tried.
 const LARGEST_ERROR: f64 = 0.1;
 /// The coordinates of first points: small fractions for exact orbits, all different to avoid
 /// symmetry axes.
-const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
+const START_COORDINATES: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 /// Sizes of first points, relative to the field's length scale, in the order of trial.
-const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
+const START_SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
 
 impl Study {
     /// Returns an orbit to show; chooses ε and the start if they are not given.
@@ -59,8 +59,9 @@ impl Study {
         let map = self.map()?;
         // The coefficients of a lift do not determine a length scale of the original variables.
         let is_lifted = self.lift().is_some_and(|lift| lift.order() > 0);
-        let length = if is_lifted { 1.0 } else { length(self.system(), map.parameters(), eps) };
-        let starts = start.map_or_else(|| starts(self.coordinates().len(), length), |start| vec![start]);
+        let length = if is_lifted { 1.0 } else { length_scale(self.system(), map.parameters(), eps) };
+        let starts =
+            start.map_or_else(|| start_points(self.coordinates().len(), length), |start| vec![start]);
         let (mut best, mut refused): (Option<TrialOrbit>, _) = (None, None);
         for own in starts {
             // A new variable may be undefined at a start.
@@ -84,7 +85,7 @@ impl Study {
                 let mut followed = TrialOrbit::of(&mut way, eps, &start, length);
                 followed.shown.start.clone_from(&own);
                 rate = rate.max(followed.rate);
-                if best.as_ref().is_none_or(|best| best.rank() < followed.rank()) {
+                if best.as_ref().is_none_or(|best| best.preference() < followed.preference()) {
                     best = Some(followed);
                 }
             }
@@ -162,7 +163,7 @@ impl<'a> StepsAndRates<'a> {
     /// original equations.
     fn rate(&self, x: &[f64]) -> f64 {
         /// The step size of central differences, about the cube root of the rounding error.
-        const STEP: f64 = 1e-5;
+        const DIFFERENCE_STEP: f64 = 1e-5;
 
         let Some((lift, own)) = &self.lift else { return rate(&self.at, x) };
         let (count, states) = (x.len(), lift.states.len());
@@ -170,7 +171,7 @@ impl<'a> StepsAndRates<'a> {
         self.at.field_jacobian(x, &mut jacobian).expect("the point is of the field");
         let mut original = vec![0.0; states * states];
         for k in 0..states {
-            let step = STEP * x[k].abs().max(1.0);
+            let step = DIFFERENCE_STEP * x[k].abs().max(1.0);
             let moved = |by: f64| {
                 let mut point = x[..states].to_vec();
                 point[k] += by;
@@ -209,7 +210,7 @@ impl TrialOrbit {
         let original = way.lift.as_ref().map_or(x.len(), |(lift, _)| lift.states.len());
         let size = x[..original].iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         let size = if size > 0.0 { size } else { length };
-        let is_within = |x: &[f64]| x[..original].iter().all(|x| x.abs() <= REACH * size);
+        let is_within = |x: &[f64]| x[..original].iter().all(|x| x.abs() <= ESCAPE_RATIO * size);
         let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
         let (mut late, mut steepest, mut error, mut steps) = (extremes.clone(), 0.0f64, 0.0f64, 0);
         while steps < STEPS && is_within(&x) {
@@ -232,7 +233,7 @@ impl TrialOrbit {
     }
 
     /// Returns the sort key: bounded moving orbits are best, then bounded ones, then long ones.
-    fn rank(&self) -> (bool, bool, u64) {
+    fn preference(&self) -> (bool, bool, u64) {
         (self.shown.stays && self.moves, self.shown.stays, self.steps)
     }
 }
@@ -249,7 +250,7 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 
 /// Returns the length scale of the field, a power of two at which terms of different degrees
 /// balance. For a homogeneous quadratic field, points of this size move about this far in time ε.
-fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
+fn length_scale(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));
     let time = eps.map_or(1.0, |eps| eps.to_f64().abs());
@@ -286,12 +287,12 @@ fn power_below(number: f64) -> Option<f64> {
 }
 
 /// Returns first points to try, with sizes relative to `length`.
-fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
+fn start_points(variables: usize, length: f64) -> Vec<Vec<Rational>> {
     let signs = [[1, 1], [1, -1]];
-    let starts = SIZES.iter().flat_map(|size| signs.iter().map(move |signs| (size, signs)));
+    let starts = START_SIZES.iter().flat_map(|size| signs.iter().map(move |signs| (size, signs)));
     let length = Rational::from_f64(length).expect("a length is finite");
     let coordinate = |size: &(i64, i64), sign: i64, k: usize| {
-        let (above, below) = NUMBERS[k % NUMBERS.len()];
+        let (above, below) = START_COORDINATES[k % START_COORDINATES.len()];
         &Rational::new(sign * above * size.0, below * size.1) * &length
     };
     starts.map(|(size, signs)| (0..variables).map(|k| coordinate(size, signs[k % 2], k)).collect()).collect()

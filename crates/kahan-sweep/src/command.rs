@@ -13,7 +13,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
 use crate::estimate::Estimate;
-use crate::files::{NoTable, RESULTS, Status, folder_is_writable, merge, ranges, status, table};
+use crate::files::{RESULTS_FILE, Status, TableError, folder_is_writable, merge, ranges, status, table};
 use crate::launcher::{RecognisedLauncher, detect};
 use crate::plan::Plan;
 use crate::run::{Run, RunEnd, Shard};
@@ -160,18 +160,18 @@ impl Cli {
         folder_is_writable(out).map_err(|error| {
             usage(format!("--out: nothing can be written into {}: {error}", out.display()))
         })?;
-        if self.merge { merged(&plan, out) } else { self.compute(&plan, out) }
+        if self.merge { merge_results(&plan, out) } else { self.compute(&plan, out) }
     }
 
     fn table(&self, path: &Path) -> CommandResult {
         let mut to = BufWriter::new(stdout().lock());
         let written = table(path, &self.columns, &mut to);
-        match written.and_then(|()| to.flush().map_err(NoTable::Unwritten)) {
+        match written.and_then(|()| to.flush().map_err(TableError::Unwritten)) {
             // A broken pipe means that the reader needs no more rows, so it is not an error.
-            Err(NoTable::Unwritten(error)) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(TableError::Unwritten(error)) if error.kind() != ErrorKind::BrokenPipe => {
                 Err((format!("the rows cannot be written: {error}"), 1))
             }
-            Err(NoTable::Unreadable(why)) => Err(usage(why)),
+            Err(TableError::Unreadable(why)) => Err(usage(why)),
             _ => Ok((String::new(), 0)),
         }
     }
@@ -247,7 +247,7 @@ impl Cli {
             RunEnd::Interrupted => {
                 Err(("interrupted; the same command goes on where this stopped".to_owned(), 130))
             }
-            RunEnd::Done if shard == Shard::WHOLE => merged(plan, out),
+            RunEnd::Done if shard == Shard::WHOLE => merge_results(plan, out),
             RunEnd::Done => {
                 let (Shard { index, of }, parts) = (shard, shard.parts(plan).count());
                 let text = format!(
@@ -261,12 +261,12 @@ impl Cli {
     }
 }
 
-fn merged(plan: &Plan, out: &Path) -> CommandResult {
+fn merge_results(plan: &Plan, out: &Path) -> CommandResult {
     let bar = bar(plan.parts(), "parts");
     let merged = merge(plan, out, || bar.inc(1));
     bar.finish_and_clear();
     let bytes = merged.map_err(|reasons| (reasons.join("\nerror: "), 1))?;
-    let (results, size) = (out.join(RESULTS), bytes as f64 / 1e6);
+    let (results, size) = (out.join(RESULTS_FILE), bytes as f64 / 1e6);
     Ok((format!("{} written: {} points, {size:.1} MB\n", results.display(), plan.points()), 0))
 }
 

@@ -17,9 +17,9 @@ pub(crate) struct Estimate<'a> {
     measured: u64,
 }
 
-const MEASURED: Duration = Duration::from_millis(500);
+const TIMING_DURATION: Duration = Duration::from_millis(500);
 /// The largest number of neighbouring points that are computed together.
-const TOGETHER: u64 = 256;
+const MAX_POINTS_TOGETHER: u64 = 256;
 
 impl<'a> Estimate<'a> {
     pub(crate) fn of(plan: &'a Plan) -> Self {
@@ -30,12 +30,12 @@ impl<'a> Estimate<'a> {
         // share SIMD lanes, so several of them are measured together.
         let stride = (points / 997) | 1;
         let (mut place, mut together) = (0u64, 1);
-        while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < MEASURED) {
+        while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < TIMING_DURATION) {
             let first = place.wrapping_mul(stride) % points;
             let began = Instant::now();
             let found = plan.rows(first..points.min(first + together), &Unwatched);
             let took = began.elapsed();
-            if took < MEASURED / 50 && together < TOGETHER.min(points) {
+            if took < TIMING_DURATION / 50 && together < MAX_POINTS_TOGETHER.min(points) {
                 together *= 4;
                 (measured, bytes, seconds) = (0, 0, 0.0);
             }

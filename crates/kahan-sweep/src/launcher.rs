@@ -13,12 +13,12 @@ pub(crate) struct RecognisedLauncher {
 }
 
 /// The environment variable for the number of shards, for launchers that do not provide it.
-const SHARDS: &str = "KAHAN_SHARDS";
+const SHARDS_VARIABLE: &str = "KAHAN_SHARDS";
 /// The environment variable for the index of this shard, counted from 0, for unknown launchers.
-const INDEX: &str = "KAHAN_SHARD_INDEX";
+const SHARD_INDEX_VARIABLE: &str = "KAHAN_SHARD_INDEX";
 
 /// Launchers of task arrays, with the variables for task, first task, last task and stride.
-const ARRAYS: [(&str, [&str; 4]); 5] = [
+const ARRAY_LAUNCHERS: [(&str, [&str; 4]); 5] = [
     (
         "Slurm",
         ["SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX", "SLURM_ARRAY_TASK_STEP"],
@@ -30,7 +30,7 @@ const ARRAYS: [(&str, [&str; 4]); 5] = [
 ];
 
 /// Launchers that number processes from 0, with the variables for number and count.
-const RANKS: [(&str, &str, &str); 3] = [
+const RANK_LAUNCHERS: [(&str, &str, &str); 3] = [
     ("Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
     ("MPI", "PMI_RANK", "PMI_SIZE"),
     ("MPI", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_SIZE"),
@@ -51,10 +51,12 @@ pub(crate) fn detect(
     get: &dyn Fn(&str) -> Result<String, VarError>,
 ) -> Result<Option<RecognisedLauncher>, String> {
     let number = |name: &str| get(name).ok()?.trim().parse::<u64>().ok();
-    let places: Vec<LaunchLevel> = match number(INDEX) {
-        Some(own) => vec![LaunchLevel::new("a launcher", INDEX, Some(own), number(SHARDS))?],
+    let places: Vec<LaunchLevel> = match number(SHARD_INDEX_VARIABLE) {
+        Some(own) => {
+            vec![LaunchLevel::new("a launcher", SHARD_INDEX_VARIABLE, Some(own), number(SHARDS_VARIABLE))?]
+        }
         None => {
-            let task = ARRAYS.iter().find_map(|array| task(array, &number));
+            let task = ARRAY_LAUNCHERS.iter().find_map(|array| task(array, &number));
             let rank = rank(get("SLURM_STEP_ID").is_ok(), &number);
             task.into_iter().chain(rank).collect::<Result<_, _>>()?
         }
@@ -87,11 +89,11 @@ fn task(
     let (first, step) = (number(first).unwrap_or(usual), number(step).unwrap_or(1).max(1));
     let count = number(last).filter(|last| *last >= first).map(|last| (last - first) / step + 1);
     let index = id.checked_sub(first).map(|place| place / step);
-    Some(LaunchLevel::new(launcher, task, index, number(SHARDS).or(count)))
+    Some(LaunchLevel::new(launcher, task, index, number(SHARDS_VARIABLE).or(count)))
 }
 
 fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<Result<LaunchLevel, String>> {
-    for (launcher, rank, size) in RANKS {
+    for (launcher, rank, size) in RANK_LAUNCHERS {
         if let Some(index) = number(rank) {
             return Some(LaunchLevel::new(launcher, rank, Some(index), number(size)));
         }
@@ -109,7 +111,7 @@ impl LaunchLevel {
         of: Option<u64>,
     ) -> Result<Self, String> {
         let of = of.ok_or_else(|| {
-            format!("{launcher} says by {variable} which task this is, and not how many there are; set {SHARDS} to their number, or give --shard i/n")
+            format!("{launcher} says by {variable} which task this is, and not how many there are; set {SHARDS_VARIABLE} to their number, or give --shard i/n")
         })?;
         let index = index.filter(|index| *index < of).ok_or_else(|| {
             format!("{launcher} says by {variable} that this is a task beyond the {of} that there are; give --shard i/n")

@@ -37,10 +37,10 @@ pub(crate) enum RunEnd {
 }
 
 /// The interval between journal entries, and the longest time for which a thread keeps its rows.
-const NOTED: Duration = Duration::from_secs(8);
+const JOURNAL_INTERVAL: Duration = Duration::from_secs(8);
 
 /// The message of `expect` on locks, which are never poisoned.
-const PANIC: &str = "a thread that panics ends the process";
+const LOCK_MESSAGE: &str = "a thread that panics ends the process";
 
 pub(crate) struct Run<'a> {
     pub(crate) plan: &'a Plan,
@@ -57,13 +57,13 @@ impl Run<'_> {
     pub(crate) fn shard(&self, shard: Shard) -> Result<RunEnd, String> {
         for index in shard.parts(self.plan) {
             let part = Part::of(self.plan, index, self.folder);
-            match part.exists().then(|| part.checked()) {
+            match part.exists().then(|| part.open_checked()) {
                 None => {}
                 Some(Ok(_)) => {
                     let rows = self.plan.part(index);
                     (self.progress)(rows.end - rows.start);
                     // If another process has finished the part, temporary files may remain.
-                    part.tidy();
+                    part.remove_unfinished();
                     continue;
                 }
                 Some(Err(UnusablePart::Damaged(why))) => (self.say)(&format!("{why}; it is computed again")),
@@ -84,18 +84,18 @@ impl Run<'_> {
 
     fn part(&self, part: &Part<'_>) -> io::Result<RunEnd> {
         let indices = self.plan.part(part.index);
-        let done = known(Journal::noted(part), &indices);
+        let done = noted_within(Journal::noted(part), &indices);
         (self.progress)(done.iter().map(|(_, rows)| rows.count() as u64).sum());
         // Each thread gets several chunks, which balances the load at the end of a part.
         let threads = self.threads.unwrap_or(1) as u64;
         let rows = indices.end - indices.start;
         let [least, most] = self.plan.at_once();
         let chunk = (rows / (8 * threads)).clamp(least, most);
-        let chunks = chunks(&done, &indices, chunk);
+        let chunks = missing_chunks(&done, &indices, chunk);
         let (journal, noted) = (Journal::of(part), Instant::now());
-        let work = Mutex::new(Work { done, unnoted: 0, journal, noted, has_failed: false });
+        let work = Mutex::new(PartWork { done, unnoted: 0, journal, noted, has_failed: false });
         for_each(chunks.len(), self.threads, &|chunk| self.chunk(chunks[chunk].clone(), &work));
-        let mut work = work.into_inner().expect(PANIC);
+        let mut work = work.into_inner().expect(LOCK_MESSAGE);
         if self.stop.load(Ordering::Relaxed) {
             work.note()?;
             return Ok(RunEnd::Interrupted);
@@ -106,12 +106,12 @@ impl Run<'_> {
             let _ = rows.pass_to(&mut all);
         }
         part.write(&all)?;
-        part.tidy();
+        part.remove_unfinished();
         Ok(RunEnd::Done)
     }
 
     /// Computes a range of rows piece by piece, and hands each finished piece over.
-    fn chunk(&self, indices: Range<u64>, work: &Mutex<Work>) {
+    fn chunk(&self, indices: Range<u64>, work: &Mutex<PartWork>) {
         let mut next = indices.start;
         while next < indices.end && !self.stop.load(Ordering::Relaxed) {
             let turn = ThreadTurn { stop: self.stop, begun: Instant::now(), done: AtomicU64::new(0) };
@@ -121,7 +121,7 @@ impl Run<'_> {
                 continue;
             }
             (self.progress)(count);
-            if let Some(error) = work.lock().expect(PANIC).take(next, made) {
+            if let Some(error) = work.lock().expect(LOCK_MESSAGE).take(next, made) {
                 (self.say)(&format!(
                     "what is done cannot be noted in {}: {error}; it is kept in memory, and noted as soon as that works",
                     self.folder.display()
@@ -144,7 +144,7 @@ impl Watch for ThreadTurn<'_> {
     /// Stops at once on request. After the time limit, stops at the end of a block of rows.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         let are_made = self.done.swap(progress.done, Ordering::Relaxed) < progress.done;
-        let is_over = are_made && self.begun.elapsed() > NOTED;
+        let is_over = are_made && self.begun.elapsed() > JOURNAL_INTERVAL;
         if is_over || self.stop.load(Ordering::Relaxed) {
             ControlFlow::Break(())
         } else {
@@ -153,7 +153,7 @@ impl Watch for ThreadTurn<'_> {
     }
 }
 
-struct Work {
+struct PartWork {
     /// The finished tables in any order, each with the number of its first row.
     done: Vec<(u64, Table)>,
     /// The number of tables, at the end of `done`, that are not in the journal yet.
@@ -164,12 +164,12 @@ struct Work {
     has_failed: bool,
 }
 
-impl Work {
+impl PartWork {
     /// Adds rows, and updates the journal when it is due. Returns the first of successive errors.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;
-        if self.noted.elapsed() <= NOTED {
+        if self.noted.elapsed() <= JOURNAL_INTERVAL {
             return None;
         }
         let was_told = self.has_failed;
@@ -188,7 +188,7 @@ impl Work {
 }
 
 /// Returns the recorded tables in the order of their rows, without overlaps.
-fn known(mut noted: Vec<(u64, Table)>, indices: &Range<u64>) -> Vec<(u64, Table)> {
+fn noted_within(mut noted: Vec<(u64, Table)>, indices: &Range<u64>) -> Vec<(u64, Table)> {
     noted.sort_by_key(|(first, _)| *first);
     let mut next = indices.start;
     noted.retain(|(first, rows)| {
@@ -203,7 +203,7 @@ fn known(mut noted: Vec<(u64, Table)>, indices: &Range<u64>) -> Vec<(u64, Table)
 }
 
 /// Divides the gaps between finished rows into chunks.
-fn chunks(done: &[(u64, Table)], indices: &Range<u64>, chunk: u64) -> Vec<Range<u64>> {
+fn missing_chunks(done: &[(u64, Table)], indices: &Range<u64>, chunk: u64) -> Vec<Range<u64>> {
     let mut chunks = Vec::new();
     let mut next = indices.start;
     let ends = done.iter().map(|(first, rows)| (*first, first + rows.count() as u64));
@@ -231,11 +231,11 @@ mod tests {
     #[test]
     fn what_is_left_is_what_was_not_noted() {
         let noted = vec![some(300, 10), some(0, 100), some(305, 10), some(0, 50), some(990, 50)];
-        let done = known(noted, &(0..1000));
+        let done = noted_within(noted, &(0..1000));
         assert_eq!(
             done.iter().map(|(first, rows)| (*first, rows.count())).collect::<Vec<_>>(),
             [(0, 100), (300, 10)]
         );
-        assert_eq!(chunks(&done, &(0..1000), 256), [100..300, 310..566, 566..822, 822..1000]);
+        assert_eq!(missing_chunks(&done, &(0..1000), 256), [100..300, 310..566, 566..822, 822..1000]);
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 /// Returns a Slurm array job with one task for each shard.
 pub(crate) fn slurm(plan: &Path, out: &Path, shards: u64) -> String {
     let places = [("shards", shards.to_string()), ("plan", quoted(plan)), ("out", quoted(out))];
-    filled(include_str!("scripts/slurm.sh"), &places)
+    fill_template(include_str!("scripts/slurm.sh"), &places)
 }
 
 /// Returns an indexed Kubernetes Job with one completion for each shard.
@@ -17,11 +17,11 @@ pub(crate) fn kubernetes(plan: &Path, shards: u64) -> String {
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("plan", quoted(plan)),
     ];
-    filled(include_str!("scripts/kubernetes.yaml"), &places)
+    fill_template(include_str!("scripts/kubernetes.yaml"), &places)
 }
 
 /// Replaces each `@name@` in a template by its text, in one pass.
-fn filled(template: &str, places: &[(&str, String)]) -> String {
+fn fill_template(template: &str, places: &[(&str, String)]) -> String {
     let parts = template.split('@').enumerate().map(|(part, text)| {
         let filled = places.iter().find(|(name, _)| part % 2 == 1 && *name == text);
         filled.map_or(text, |(_, value)| value)

@@ -87,13 +87,13 @@ pub fn read(text: &str) -> Reading {
 /// A token and its byte range in the text.
 type PlacedToken = (Token, Range<usize>);
 
-fn placed(text: &str, range: &Range<usize>) -> PlacedToken {
+fn placed_token(text: &str, range: &Range<usize>) -> PlacedToken {
     let kind = text.chars().next().map_or(TokenKind::Identifier, TokenKind::beginning_with);
     (Token { kind, text: text.to_owned().into(), touches_next: false, docs: Box::default() }, range.clone())
 }
 
 fn mistake(range: &Range<usize>, message: impl Into<String>, help: impl Into<String>) -> PlacedToken {
-    let (token, range) = placed("", range);
+    let (token, range) = placed_token("", range);
     (Token { kind: TokenKind::unreadable(message, help), ..token }, range)
 }
 
@@ -176,11 +176,11 @@ impl Reader<'_> {
         for (item, instead) in items.iter().zip(instead) {
             self.write(item, instead);
         }
-        self.give_pi();
+        self.define_pi();
     }
 
     /// Gives the parameter `pi` its value, unless the text defines `pi` itself.
-    fn give_pi(&mut self) {
+    fn define_pi(&mut self) {
         const PI: &str = "3.141592653589793";
         let is_read = self.is_state("pi") || self.quantities.contains_key("pi") || self.has_header();
         if is_read || !self.mentions("pi") || self.read.parameters.iter().any(|(name, _)| name == "pi") {
@@ -198,7 +198,7 @@ impl Reader<'_> {
             (Some(instead), _) if instead.is_empty() => return,
             (Some(instead), _) => instead,
             (None, Some(left)) if !left.is_value() => self.equation(tokens, left),
-            (None, None) if let Some(refused) = self.refused(tokens) => vec![refused],
+            (None, None) if let Some(refused) = self.unsupported_item(tokens) => vec![refused],
             _ => self.written(tokens.clone(), false),
         };
         self.out.extend(written);
@@ -208,7 +208,7 @@ impl Reader<'_> {
             && !is_bracket
             && !matches!(&*last.text, "{" | "}")
         {
-            let end = placed(";", &(range.end..range.end));
+            let end = placed_token(";", &(range.end..range.end));
             self.out.push(end);
         }
     }

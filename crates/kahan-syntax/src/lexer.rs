@@ -28,7 +28,7 @@ pub fn lex(text: &str) -> Lexed {
     lexer.out
 }
 
-const SIGNS: &str = "+-*/^=;,.:<>!?&|%#@~$()[]{}";
+const PUNCTUATION: &str = "+-*/^=;,.:<>!?&|%#@~$()[]{}";
 
 struct Lexer<'a> {
     text: &'a str,
@@ -53,7 +53,7 @@ impl Lexer<'_> {
         let text_of_sign = match kind {
             // Signs are half of a field's tokens; borrowed texts avoid allocations.
             TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c) => {
-                SIGNS.find(c).map(|place| Cow::Borrowed(&SIGNS[place..=place]))
+                PUNCTUATION.find(c).map(|place| Cow::Borrowed(&PUNCTUATION[place..=place]))
             }
             _ => None,
         };
@@ -116,7 +116,7 @@ impl Lexer<'_> {
                 self.put(TokenKind::beginning_with(sign), Cow::Borrowed(&signs[place..=place]), length);
             }
             self.at += length;
-        } else if SIGNS.contains(c) {
+        } else if PUNCTUATION.contains(c) {
             self.push(TokenKind::beginning_with(c), 1);
         } else {
             let length = self.run(self.at, |c| primes(c).is_some()).max(c.len_utf8());

@@ -87,15 +87,18 @@ pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) ->
 /// ```
 #[must_use]
 pub fn without_dots(name: &str) -> Option<(String, usize)> {
-    const ONE: &str = "ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzȦAḂBĊCḊDĖEḞFĠGḢHİIṀMṄNȮOṖPṘRṠSṪTẆWẊXẎYŻZ";
-    const TWO: &str = "ḧhẗtẅwẍxÿyḦHẄWẌXŸY";
+    const DOTTED_LETTERS: &str =
+        "ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzȦAḂBĊCḊDĖEḞFĠGḢHİIṀMṄNȮOṖPṘRṠSṪTẆWẊXẎYŻZ";
+    const DOUBLE_DOTTED_LETTERS: &str = "ḧhẗtẅwẍxÿyḦHẄWẌXŸY";
     let plain = |dotted: &str, c: char| {
         let mut letters = dotted.chars();
         std::iter::from_fn(|| Some((letters.next()?, letters.next()?))).find(|(own, _)| *own == c)
     };
     let mut dots = 0;
     let letters = name.chars().filter_map(|c| {
-        let found = plain(ONE, c).map(|found| (1, found)).or_else(|| plain(TWO, c).map(|found| (2, found)));
+        let found = plain(DOTTED_LETTERS, c)
+            .map(|found| (1, found))
+            .or_else(|| plain(DOUBLE_DOTTED_LETTERS, c).map(|found| (2, found)));
         match (c, found) {
             ('\u{307}', _) => (dots += 1, None).1,
             ('\u{308}', _) => (dots += 2, None).1,

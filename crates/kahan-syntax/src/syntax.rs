@@ -20,10 +20,10 @@ pub struct Name {
 
 /// A block, which has the form `[header] (const | equation | family | claim)*`.
 ///
-/// `X` is the syntax beyond arithmetic in constants and right-hand sides: [`InFamily`], or
-/// [`InFormula`] if the block is to be lifted.
+/// `X` is the syntax beyond arithmetic in constants and right-hand sides: [`FamilySyntax`], or
+/// [`FormulaSyntax`] if the block is to be lifted.
 #[derive(Clone, Debug)]
-pub struct Block<X = InFamily> {
+pub struct Block<X = FamilySyntax> {
     /// The header, such as `pub struct E7 { xi }`.
     pub header: Option<Header>,
     /// The span of the keyword `lift`, if the equations are to be lifted.
@@ -105,7 +105,7 @@ pub struct WrittenTokens {
 
 /// A constant, `const NAME = expr;`.
 #[derive(Clone, Debug)]
-pub struct Constant<X = InFamily> {
+pub struct Constant<X = FamilySyntax> {
     /// The constant's name.
     pub name: Name,
     /// The value; `None` if it could not be read.
@@ -114,7 +114,7 @@ pub struct Constant<X = InFamily> {
 
 /// An equation, `STATEdot = expr;`.
 #[derive(Clone, Debug)]
-pub struct Equation<X = InFamily> {
+pub struct Equation<X = FamilySyntax> {
     /// The name of the state, which is the left-hand side without `dot`.
     pub state: Name,
     /// The right-hand side; `None` if it could not be read.
@@ -234,7 +234,7 @@ impl Condition {
 
 /// An expression with its span; `X` is the syntax that goes beyond arithmetic.
 #[derive(Clone, Debug)]
-pub struct Expr<X = InFamily> {
+pub struct Expr<X = FamilySyntax> {
     /// The operation, with its operands.
     pub kind: ExprKind<X>,
     /// The tokens of the expression.
@@ -246,7 +246,7 @@ impl Expr {
     pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         match &self.kind {
             ExprKind::Name(name) => visit(Reference::Name(name), self.span),
-            ExprKind::Special(InFamily::Site { array, offset }) => {
+            ExprKind::Special(FamilySyntax::Site { array, offset }) => {
                 visit(Reference::Site { array, offset: *offset }, self.span);
             }
             _ => self.parts().into_iter().for_each(|part| part.visit_names(visit)),
@@ -257,19 +257,21 @@ impl Expr {
     #[must_use]
     pub fn parts(&self) -> Vec<&Expr> {
         match &self.kind {
-            ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Special(InFamily::Site { .. }) => Vec::new(),
+            ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Special(FamilySyntax::Site { .. }) => {
+                Vec::new()
+            }
             ExprKind::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
             ExprKind::Product(factors) => factors.iter().map(|factor| &factor.expr).collect(),
             ExprKind::Negation(inner)
             | ExprKind::Power(inner, _)
-            | ExprKind::Special(InFamily::OverSites(inner)) => vec![inner],
+            | ExprKind::Special(FamilySyntax::OverSites(inner)) => vec![inner],
         }
     }
 
     /// Replaces names by numbers. In products that gain numbers, the numeric factors are combined.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.kind {
-            ExprKind::Number(_) | ExprKind::Special(InFamily::Site { .. }) => {}
+            ExprKind::Number(_) | ExprKind::Special(FamilySyntax::Site { .. }) => {}
             ExprKind::Name(name) => {
                 if let Some((_, value)) = values.iter().find(|(known, _)| known == name) {
                     self.kind = ExprKind::number(value, self.span);
@@ -303,7 +305,7 @@ impl Expr {
                     self.kind = ExprKind::number(&power, self.span);
                 }
             }
-            ExprKind::Negation(inner) | ExprKind::Special(InFamily::OverSites(inner)) => {
+            ExprKind::Negation(inner) | ExprKind::Special(FamilySyntax::OverSites(inner)) => {
                 inner.put_values(values);
             }
         }
@@ -347,7 +349,7 @@ impl ExprKind {
 
 /// The operation of an expression.
 #[derive(Clone, Debug)]
-pub enum ExprKind<X = InFamily> {
+pub enum ExprKind<X = FamilySyntax> {
     /// A number, stored exactly.
     Number(Rational),
     /// A name.
@@ -366,7 +368,7 @@ pub enum ExprKind<X = InFamily> {
 
 /// The syntax of a family that goes beyond arithmetic.
 #[derive(Clone, Debug)]
-pub enum InFamily {
+pub enum FamilySyntax {
     /// A value at a site, such as `x[i]`, `x[i+1]` or `x[i-2]`.
     Site {
         /// The name of the array, such as `x`.
@@ -380,34 +382,34 @@ pub enum InFamily {
 
 /// The syntax of a formula that goes beyond arithmetic: function calls and general powers.
 #[derive(Clone, Debug)]
-pub enum InFormula {
+pub enum FormulaSyntax {
     /// A function call `name(a, …)`.
     Call {
         /// The name of the function.
         function: String,
         /// One or more arguments.
-        arguments: Vec<Expr<InFormula>>,
+        arguments: Vec<Expr<FormulaSyntax>>,
     },
     /// A power `a^b` whose exponent b is not an integer literal.
-    Power(Box<[Expr<InFormula>; 2]>),
+    Power(Box<[Expr<FormulaSyntax>; 2]>),
 }
 
-impl Expr<InFormula> {
+impl Expr<FormulaSyntax> {
     /// Converts an expression without functions and general powers; `None` for other expressions.
     #[must_use]
     pub fn rational(&self) -> Option<Expr> {
-        let boxed = |inner: &Expr<InFormula>| inner.rational().map(Box::new);
+        let boxed = |inner: &Expr<FormulaSyntax>| inner.rational().map(Box::new);
         let kind = match &self.kind {
             ExprKind::Number(value) => ExprKind::Number(value.clone()),
             ExprKind::Name(name) => ExprKind::Name(name.clone()),
             ExprKind::Sum(terms) => {
-                let term = |term: &Term<InFormula>| {
+                let term = |term: &Term<FormulaSyntax>| {
                     Some(Term { negative: term.negative, expr: term.expr.rational()? })
                 };
                 ExprKind::Sum(terms.iter().map(term).collect::<Option<_>>()?)
             }
             ExprKind::Product(factors) => {
-                let factor = |factor: &Factor<InFormula>| {
+                let factor = |factor: &Factor<FormulaSyntax>| {
                     Some(Factor { divides: factor.divides, expr: factor.expr.rational()? })
                 };
                 ExprKind::Product(factors.iter().map(factor).collect::<Option<_>>()?)
@@ -458,7 +460,7 @@ impl fmt::Display for Reference<'_> {
 
 /// A term of a sum.
 #[derive(Clone, Debug)]
-pub struct Term<X = InFamily> {
+pub struct Term<X = FamilySyntax> {
     /// Whether `-` precedes the term.
     pub negative: bool,
     /// The expression of the term.
@@ -467,7 +469,7 @@ pub struct Term<X = InFamily> {
 
 /// A factor of a product.
 #[derive(Clone, Debug)]
-pub struct Factor<X = InFamily> {
+pub struct Factor<X = FamilySyntax> {
     /// Whether `/` precedes the factor.
     pub divides: bool,
     /// The expression of the factor.

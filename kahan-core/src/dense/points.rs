@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use crate::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 
-use super::{COLUMNS, Loops, Workspace, minus_product};
+use super::{COLUMNS_TOGETHER, Loops, Workspace, minus_product};
 
 /// Returns the number of points that [`velocities`] takes, one per lane of a 512-bit register.
 #[must_use]
@@ -76,10 +76,10 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
             zero.store(of_rows, i * L::WIDTH);
         }
         for j in 0..=n {
-            for block in 0..n / COLUMNS {
-                self.reduce_rows::<COLUMNS>(columns, block * COLUMNS, j);
+            for block in 0..n / COLUMNS_TOGETHER {
+                self.reduce_rows::<COLUMNS_TOGETHER>(columns, block * COLUMNS_TOGETHER, j);
             }
-            for row in n - n % COLUMNS..n {
+            for row in n - n % COLUMNS_TOGETHER..n {
                 self.reduce_rows::<1>(columns, row, j);
             }
             if j == n {

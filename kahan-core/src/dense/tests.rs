@@ -1,7 +1,7 @@
 use std::vec;
 use std::vec::Vec;
 
-use super::{LARGEST_FACTOR, Work, Workspace, coefficients, pack, points, run, velocities, velocity};
+use super::{DenseWork, LARGEST_FACTOR, Workspace, coefficients, pack, points, run, velocities, velocity};
 use crate::Level;
 use crate::ensemble::lanes::InLanes;
 
@@ -21,8 +21,13 @@ fn lanes_of_any_number_have_the_same_bits() {
             for eps in [0.01, 0.3].map(T::from) {
                 let at = |level: Level| {
                     let mut workspace = Workspace::default();
-                    let work =
-                        Work { packed: &packed, x: &x, eps, eliminates: true, workspace: &mut workspace };
+                    let work = DenseWork {
+                        packed: &packed,
+                        x: &x,
+                        eps,
+                        eliminates: true,
+                        workspace: &mut workspace,
+                    };
                     let is_solved = run(work, level);
                     (is_solved, workspace.last(n).iter().map(|entry| bits(*entry)).collect::<Vec<_>>())
                 };

@@ -13,7 +13,7 @@ pub const GROUP: usize = 16;
 pub type Group<T> = [T; GROUP];
 
 /// The bytes of a cache line. Loading a register that crosses a line costs two loads.
-const LINE: usize = 64;
+const CACHE_LINE: usize = 64;
 
 /// N columns of equal length in one allocation.
 ///
@@ -33,10 +33,10 @@ impl<T: Copy, const N: usize> Columns<T, N> {
             return Self { entries: Vec::new(), start: 0, len };
         }
         let stride = stride(len);
-        let skipped_at_most = LINE / size_of::<T>().max(1);
+        let skipped_at_most = CACHE_LINE / size_of::<T>().max(1);
         // The vector never outgrows its capacity; therefore the alignment persists.
         let mut entries: Vec<T> = Vec::with_capacity(N * stride + skipped_at_most);
-        let start = match entries.as_ptr().align_offset(LINE) {
+        let start = match entries.as_ptr().align_offset(CACHE_LINE) {
             start if start <= skipped_at_most => start,
             // If no aligned index exists, loads are slower, but results are equal.
             _ => 0,

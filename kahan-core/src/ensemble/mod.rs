@@ -8,7 +8,6 @@
 mod aarch64;
 pub(crate) mod advance;
 pub(crate) mod columns;
-mod each;
 mod grid;
 pub(crate) mod lanes;
 mod level;
@@ -19,6 +18,7 @@ pub(crate) mod register_pair;
 mod registers;
 mod scalar;
 mod sweep;
+mod trajectory_maps;
 #[cfg(target_arch = "x86_64")]
 mod x86_64;
 

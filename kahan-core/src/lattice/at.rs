@@ -9,7 +9,7 @@ use crate::map::eliminated_at_any_capacity;
 use crate::step::error::{Reason, pole};
 use crate::{SingularStep, Step, Stopped, Workspace};
 
-use super::folded::Folded;
+use super::folded::FoldedBand;
 use super::parts::{Kernels, PartSolver, Partition};
 use super::promise::{PromiseCheck, REFINEMENTS};
 use super::scalar::ChainArithmetic;
@@ -33,7 +33,7 @@ pub struct LatticeAt<M, T: LatticeScalar> {
 struct StepWorkspace<T: LatticeScalar> {
     form: WorkspaceLayout,
     site: Site<T>,
-    folded: Folded<T>,
+    folded: FoldedBand<T>,
     parts: Option<<T as ChainArithmetic>::Parts>,
     whole_eliminations: u64,
 }
@@ -51,7 +51,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
     fn new(form: WorkspaceLayout) -> Self {
         let WorkspaceLayout { sizes, sites, boundary, partition, level } = form;
         let is_ring = boundary == Boundary::Periodic;
-        let folded = if partition.is_some() { Folded::with_little_memory } else { Folded::new };
+        let folded = if partition.is_some() { FoldedBand::with_little_memory } else { FoldedBand::new };
         Self {
             form,
             site: Site::of(sizes),
@@ -117,10 +117,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let sizes = map.sizes();
         let lanes = <T as ChainArithmetic>::Parts::LANES.filter(|_| M::Kernels::supports(sizes));
         let partition = lanes.and_then(|lanes| Partition::new(sites, sizes.reach, lanes));
-        Self::planned(map, eps, sites, partition)
+        Self::with_partition(map, eps, sites, partition)
     }
 
-    pub(super) fn planned(
+    pub(super) fn with_partition(
         map: M,
         eps: T,
         sites: usize,

@@ -34,7 +34,7 @@ impl EliminationOrder {
     }
 }
 
-pub(super) struct Folded<T> {
+pub(super) struct FoldedBand<T> {
     order: EliminationOrder,
     len: usize,
     lower: usize,
@@ -70,7 +70,7 @@ impl<T: Scalar> BandRow<'_, T> {
     }
 }
 
-impl<T: Scalar> Folded<T> {
+impl<T: Scalar> FoldedBand<T> {
     /// Allocates the memory for a band of these bandwidths. `is_ring` makes the band cyclic.
     pub(super) fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         Self::in_stretches(len, is_ring, lower, upper, len)
@@ -205,7 +205,7 @@ impl<T: Scalar> Folded<T> {
 mod tests {
     use std::vec::Vec;
 
-    use super::Folded;
+    use super::FoldedBand;
 
     /// Returns an entry of a band that requires row exchanges, because every third diagonal entry
     /// is 0.
@@ -213,7 +213,7 @@ mod tests {
         if offset == 0 && row % 3 == 1 { 0.0 } else { ((row * 7 + 3) as f64 * 0.1 + offset as f64).sin() }
     }
 
-    fn solved(folded: &mut Folded<f64>, len: usize, is_ring: bool, reach: isize) -> Vec<f64> {
+    fn solved(folded: &mut FoldedBand<f64>, len: usize, is_ring: bool, reach: isize) -> Vec<f64> {
         let solution = folded.solve(|unknown, row| {
             for offset in -reach..=reach {
                 let place = unknown as isize + offset;
@@ -229,9 +229,10 @@ mod tests {
     #[test]
     fn stretches_change_no_bit() {
         for (len, is_ring, reach) in [(1000, true, 1), (1000, false, 3), (777, true, 2), (40, true, 2)] {
-            let whole = solved(&mut Folded::new(len, is_ring, reach, reach), len, is_ring, reach as isize);
+            let whole =
+                solved(&mut FoldedBand::new(len, is_ring, reach, reach), len, is_ring, reach as isize);
             for stretch in [1, 7, 13, 64, 999] {
-                let mut folded = Folded::in_stretches(len, is_ring, reach, reach, stretch);
+                let mut folded = FoldedBand::in_stretches(len, is_ring, reach, reach, stretch);
                 for _ in 0..2 {
                     let parts = solved(&mut folded, len, is_ring, reach as isize);
                     assert!(parts == whole, "{len} {is_ring} {reach} {stretch}");
@@ -243,7 +244,7 @@ mod tests {
     #[test]
     fn what_is_rarely_needed_takes_a_number_or_two_an_unknown() {
         let (len, reach) = (1_000_000, 17);
-        let folded = Folded::<f64>::with_little_memory(len, true, reach, reach);
+        let folded = FoldedBand::<f64>::with_little_memory(len, true, reach, reach);
         let numbers = [&folded.window, &folded.done, &folded.begun, &folded.solution].map(Vec::len);
         assert!(numbers.iter().sum::<usize>() < 3 * len, "{numbers:?}");
     }

@@ -9,8 +9,8 @@ mod at;
 
 mod error;
 mod family;
-mod far;
 mod folded;
+mod long_elimination;
 mod map;
 mod parts;
 mod promise;

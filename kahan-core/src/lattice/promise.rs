@@ -87,10 +87,10 @@ impl<T: LatticeScalar> PromiseCheck<T> {
                 near.site.rows(map, &near.constants, before, i, T::BoundedWorking::from_input);
             }
             for b in 0..block {
-                let rest = near.as_ref().map(|near| near.rest(map, b, before, next, largest));
+                let rest = near.as_ref().map(|near| near.residual(map, b, before, next, largest));
                 let rest = rest.filter(|rest| rest.bound <= 1.0).unwrap_or_else(|| {
                     far.site.rows(map, &far.constants, before, i, T::BoundedWide::from_input);
-                    far.rest(map, b, before, next, largest)
+                    far.residual(map, b, before, next, largest)
                 });
                 residual[i * block + b] = rest.residual;
                 worst = rest.bound.max(worst);
@@ -108,7 +108,7 @@ impl<J: Scalar> BoundedRows<J> {
 
     /// Computes the residual and the backward error in row b of this site. All inputs are ≤
     /// `largest`.
-    fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Residual<T>
+    fn residual<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Residual<T>
     where
         M: LatticeMap<T>,
         T: LatticeScalar,

@@ -11,7 +11,7 @@ use crate::scalar::{Capacity, LongNumber, Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
 use super::LatticeMap;
-use super::far::eliminated;
+use super::long_elimination::eliminated;
 use super::parts::{NoPartSolver, PartSolver, PartWorkspace};
 
 /// A scalar of a chain: `f32`, `f64`, [`Dd`], or with the feature `exact` `BigRational`.

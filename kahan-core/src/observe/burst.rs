@@ -6,7 +6,7 @@ use crate::Level;
 use crate::ensemble::columns::{GROUP, Group};
 
 /// The number of steps that a group advances before its observers read the points.
-pub(super) const BURST: usize = 16;
+pub(super) const BURST_STEPS: usize = 16;
 
 /// The observers of a group's trajectories, one per lane. Unused lanes hold `None`.
 pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];

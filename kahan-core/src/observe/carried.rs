@@ -9,7 +9,7 @@ use crate::ensemble::columns::GROUP;
 use crate::{Constant, FloatScalar, Scalar, StateVector};
 
 #[cfg(feature = "std")]
-use super::burst::{BURST, Burst, Grouped, Observers, SideBySide};
+use super::burst::{BURST_STEPS, Burst, Grouped, Observers, SideBySide};
 use super::growth::{Size, scale};
 use super::{Observer, TangentMap};
 
@@ -27,7 +27,7 @@ pub struct Carried<M: TangentMap, const K: usize> {
 impl<M: TangentMap, const K: usize> Carried<M, K> {
     /// Starts with arbitrary vectors, which avoid the axes and other special directions.
     pub(super) fn new(map: M) -> Self {
-        let vectors = from_fn(|k| made_of(&map, |i| any_direction(k, i)));
+        let vectors = from_fn(|k| state_from_entries(&map, |i| any_direction(k, i)));
         Self { place: M::State::zeros(map.dimension()), vectors, exponents: [0; K], steps: 0, map }
     }
 
@@ -60,7 +60,7 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
     }
 }
 
-pub(super) fn made_of<M: TangentMap>(map: &M, entry: impl Fn(usize) -> M::Scalar) -> M::State {
+pub(super) fn state_from_entries<M: TangentMap>(map: &M, entry: impl Fn(usize) -> M::Scalar) -> M::State {
     let mut vector = M::State::zeros(map.dimension());
     vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, place)| *place = entry(i));
     vector
@@ -253,7 +253,7 @@ where
     let first = maps[0]?;
     let maps = maps.map(|map| map.unwrap_or(first));
     let first = burst.before + 1 + done as u64;
-    let mut squares = [[[T::one(); GROUP]; K]; BURST];
+    let mut squares = [[[T::one(); GROUP]; K]; BURST_STEPS];
     let looks_at_each = first < PAUSE || looks_at_each::<I, T, K>();
     let squares = if looks_at_each { squares.as_flattened_mut() } else { &mut [] };
     let work = SideBySide { places, vectors: &mut vectors, squares, level: burst.level };

@@ -13,7 +13,7 @@ use crate::step::error::pole;
 use crate::{Advances, Ensemble, EnsembleScalar, Level};
 
 use super::Observer;
-use super::burst::{BURST, Burst, Grouped};
+use super::burst::{BURST_STEPS, Burst, Grouped};
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Steps as [`advance`](Self::advance) does, and shows each trajectory to its own observers.
@@ -97,12 +97,12 @@ pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     advance: impl Fn(&mut P),
     mut tell: impl FnMut(u64) -> ControlFlow<()>,
 ) {
-    let mut seen: [P; BURST + 1] = from_fn(|_| points.clone());
+    let mut seen: [P; BURST_STEPS + 1] = from_fn(|_| points.clone());
     for (lane, observer) in observers.iter_mut().enumerate() {
         observer.observe(0, points.of(lane).as_ref());
     }
-    for before in (0..steps).step_by(BURST) {
-        let len = (steps - before).min(BURST as u64) as usize;
+    for before in (0..steps).step_by(BURST_STEPS) {
+        let len = (steps - before).min(BURST_STEPS as u64) as usize;
         seen[0].clone_from(points);
         for seen in &mut seen[1..=len] {
             advance(points);

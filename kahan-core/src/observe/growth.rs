@@ -59,7 +59,7 @@ impl PartialOrd for Size {
 }
 
 /// The exponent of the scaling factor. One step of a scaled vector stays in the range of `f32`.
-const BITS: i64 = 32;
+const SCALING_EXPONENT: i64 = 32;
 
 /// Scales a finite nonzero vector by powers of two until its squared length lies between 2⁻⁶⁴ and
 /// 2⁶⁴. Adds the removed exponent to `exponent`. Returns the unscaled squared length.
@@ -82,7 +82,7 @@ where
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(super) fn most<T: Scalar>() -> T {
-    let root = T::constant(&Constant::integer(1 << BITS));
+    let root = T::constant(&Constant::integer(1 << SCALING_EXPONENT));
     root.clone() * root
 }
 
@@ -96,7 +96,7 @@ pub fn are_moderate<T: FloatScalar>(squares: &[Group<T>]) -> bool {
 
 #[inline(always)]
 fn is_moderate(squared: f64) -> bool {
-    const MOST: f64 = (1_u128 << (2 * BITS)) as f64;
+    const MOST: f64 = (1_u128 << (2 * SCALING_EXPONENT)) as f64;
     squared > 1.0 / MOST && squared < MOST
 }
 
@@ -109,16 +109,16 @@ where
     P: StateVector<T>,
     T: FloatScalar,
 {
-    let up = T::constant(&Constant::integer(1 << BITS));
+    let up = T::constant(&Constant::integer(1 << SCALING_EXPONENT));
     let down = T::one() / up;
     let mut exponent = 0;
     // The loop ends, because this many scalings span the range of `f64`.
-    for _ in 0..2 * 1100 / BITS {
+    for _ in 0..2 * 1100 / SCALING_EXPONENT {
         let squared = square(vector.as_slice());
         if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {
             break;
         }
-        let (factor, bits) = if squared < 1.0 { (up, -BITS) } else { (down, BITS) };
+        let (factor, bits) = if squared < 1.0 { (up, -SCALING_EXPONENT) } else { (down, SCALING_EXPONENT) };
         for entry in vector.as_mut_slice() {
             *entry *= factor;
         }

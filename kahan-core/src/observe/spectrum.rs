@@ -6,7 +6,7 @@ use num_traits::One;
 
 use crate::{Constant, FloatScalar, Scalar, StateVector};
 
-use super::carried::{carry_all, made_of};
+use super::carried::{carry_all, state_from_entries};
 use super::growth::{Size, dot, scale, square};
 use super::lyapunov::Doublings;
 use super::{Exponent, Observer, TangentMap};
@@ -60,7 +60,7 @@ impl<M: TangentMap> Spectrum<M> {
             if i == j { M::Scalar::one() } else { M::Scalar::constant(&skew) }
         };
         let direction = |j: usize| {
-            let vector = made_of(&map, |i| entry(j, i));
+            let vector = state_from_entries(&map, |i| entry(j, i));
             GrowingVector { vector, squared: 1.0, growth: Size::ONE, doublings: Doublings::default() }
         };
         let mut directions: Vec<_> = (0..k).map(direction).collect();

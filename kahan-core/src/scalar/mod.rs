@@ -39,7 +39,7 @@ pub(crate) use laurent::Laurent;
 pub(crate) use operators::assignments;
 pub(crate) use operators::operators;
 #[cfg(feature = "std")]
-pub(crate) use wide::{Capacity, LongNumber, level_row};
+pub(crate) use wide::{Capacity, LongNumber, equilibrate_row};
 pub(crate) use wide::{Size, Wide};
 
 /// A number with which a Kahan map computes.

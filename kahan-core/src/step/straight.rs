@@ -75,7 +75,7 @@ where
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let state = components(x).clone();
         if const { needs_drop::<T>() } {
-            called::<K, T, N, C>(&self.constants, state)
+            out_of_line::<K, T, N, C>(&self.constants, state)
         } else {
             K::quotients(&self.constants, state)
         }
@@ -98,7 +98,7 @@ where
 /// Evaluates the formulas for scalars that own memory. Operations of these scalars are calls, and
 /// inlining would gain nothing.
 #[inline(never)]
-fn called<K, T, const N: usize, const C: usize>(
+fn out_of_line<K, T, const N: usize, const C: usize>(
     constants: &[Padded<T>; C],
     state: [T; N],
 ) -> Option<Quotients<T, N>>

@@ -52,7 +52,7 @@ where
         }
         match &self.over_eps {
             Some(over_eps) => over_eps.quotients(x),
-            None => called(self.general.clone(), x.clone()),
+            None => out_of_line(self.general.clone(), x.clone()),
         }
     }
 
@@ -63,7 +63,7 @@ where
         }
         match &self.over_eps {
             Some(over_eps) => over_eps.finish(x, finish),
-            None => called(self.general.clone(), x.clone()).map(finish),
+            None => out_of_line(self.general.clone(), x.clone()).map(finish),
         }
     }
 
@@ -82,7 +82,7 @@ where
 /// copies lets a loop keep its state in registers.
 #[cold]
 #[inline(never)]
-fn called<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
+fn out_of_line<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
 where
     G: PreparedStep<T, N>,
     T: Scalar,

@@ -12,7 +12,7 @@ use crate::rational_function::RationalFunction;
 use crate::system::{Claim, upper_index};
 
 use super::conditions;
-use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
+use super::lower::{HIGHEST_EXPONENT, LoweringTarget, MOST_BITS, lower};
 use super::names::{NameMeaning, Scope};
 use super::stand_in::StandIn;
 
@@ -25,7 +25,7 @@ pub(super) fn compile_all(
     diagnostics: &mut Diagnostics,
 ) -> Vec<Claim> {
     let (builder, functions) = (PlanBuilder::default(), FxHashMap::default());
-    let mut compiler = Compiler { builder, functions, scope };
+    let mut compiler = ClaimCompiler { builder, functions, scope };
     let mut claims: Vec<Claim> = Vec::new();
     for claim in &block.claims {
         if !compiler.scope.is_free(&claim.name, "claim", diagnostics) {
@@ -126,13 +126,13 @@ fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics
     }
 }
 
-struct Compiler<'a> {
+struct ClaimCompiler<'a> {
     builder: PlanBuilder,
     functions: FxHashMap<String, Node>,
     scope: &'a mut Scope,
 }
 
-impl Target for Compiler<'_> {
+impl LoweringTarget for ClaimCompiler<'_> {
     type Value = Node;
 
     fn number(&mut self, value: &Rational) -> Node {
@@ -192,12 +192,12 @@ impl Target for Compiler<'_> {
         self.builder.is_zero(*a)
     }
 
-    fn inverts(&self) -> bool {
+    fn allows_negative_exponents(&self) -> bool {
         true
     }
 }
 
-impl Compiler<'_> {
+impl ClaimCompiler<'_> {
     fn body(
         &mut self,
         name: &str,

@@ -47,7 +47,7 @@ fn one_relation(
     components: &[RationalFunction],
     scope: &mut Scope,
 ) -> Result<Option<Variable>, Diagnostic> {
-    let Some(names) = names(condition, scope)?.filter(|_| !is_spent(scope)) else { return Ok(None) };
+    let Some(names) = parameters_in(condition, scope)?.filter(|_| !is_spent(scope)) else { return Ok(None) };
     let span = condition.span();
     let wrong = |message: &str, help: &str| Diagnostic::new(Kind::Claim, span, message, help);
     let over_budget = |_: OverBudget| too_large(span);
@@ -58,7 +58,7 @@ fn one_relation(
     let polynomial = difference(&left, &right);
     let name = relations
         .add(&polynomial, &names)
-        .map_err(|obstacle| explain(&obstacle, span, is_first, &scope.symbols))?;
+        .map_err(|obstacle| explain_obstacle(&obstacle, span, is_first, &scope.symbols))?;
     if relations.value(scope.symbols.epsilon()).is_some_and(RationalFunction::is_zero) {
         let message = "at eps = 0 the map is the identity, and every claim says nothing";
         return Err(wrong(message, "choose another value"));
@@ -86,7 +86,10 @@ fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
 
 /// Returns the parameters in a relation in order of occurrence, then ε. Returns `Ok(None)` after a
 /// reported mistake.
-fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<Variable>>, Diagnostic> {
+fn parameters_in(
+    condition: &syntax::Condition,
+    scope: &mut Scope,
+) -> Result<Option<Vec<Variable>>, Diagnostic> {
     let mut found: Vec<(String, Span)> = Vec::new();
     condition.visit_names(&mut |name, span| found.push((name.to_string(), span)));
     let epsilon = scope.symbols.epsilon();
@@ -109,13 +112,13 @@ fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<
             }
             Some(variable) if !names.contains(&variable) => names.push(variable),
             Some(_) => {}
-            None => return Err(unknown(&name, span, scope)),
+            None => return Err(unknown_name(&name, span, scope)),
         }
     }
     Ok(Some(sorted_by_key(names, |name| *name == epsilon)))
 }
 
-fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
+fn unknown_name(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
     let stands = |scope: &Scope, nearest: &str| {
         scope.constants.contains_key(nearest)
             || scope.variable(nearest).is_some_and(|variable| !scope.symbols.is_state(variable))
@@ -140,7 +143,7 @@ fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
-fn explain(obstacle: &Obstacle, span: Span, is_first: bool, symbols: &Symbols) -> Diagnostic {
+fn explain_obstacle(obstacle: &Obstacle, span: Span, is_first: bool, symbols: &Symbols) -> Diagnostic {
     let wrong = |message: &str, help: &str| Diagnostic::new(Kind::Claim, span, message, help);
     match obstacle {
         Obstacle::TooLarge => too_large(span),

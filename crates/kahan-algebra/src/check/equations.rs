@@ -38,7 +38,7 @@ pub(super) fn expand_all(
             expansion.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
         });
         let expansion = expansion.unwrap_or_else(Expansion::zero);
-        kept.push(expansion.kept().clone());
+        kept.push(expansion.written_form().clone());
         components.push(expansion.function());
     }
     (components, FieldWithSubexpressions::new(values, kept))

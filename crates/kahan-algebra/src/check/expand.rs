@@ -18,7 +18,7 @@ use crate::render::{Notation, Text};
 use crate::subexpressions::Subexpressions;
 use crate::symbols::Symbols;
 
-use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
+use super::lower::{HIGHEST_EXPONENT, LoweringTarget, MOST_BITS, lower};
 use super::names::{NameMeaning, Scope};
 
 const MOST_TERMS: usize = 100_000;
@@ -58,7 +58,7 @@ impl Expansion {
         RationalFunction::from_coprime(self.numerator, self.denominator)
     }
 
-    pub(super) fn kept(&self) -> &Polynomial {
+    pub(super) fn written_form(&self) -> &Polynomial {
         self.kept.as_ref().unwrap_or(&self.numerator)
     }
 }
@@ -70,7 +70,7 @@ pub(super) fn expand(
     values: &mut Subexpressions,
 ) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces) = (false, true);
-    Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
+    FractionExpander { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
 pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
@@ -81,13 +81,13 @@ pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Dia
 /// where divisors are nonzero.
 pub(super) fn expand_as_written(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, false, &mut Subexpressions::of(&scope.symbols));
-    Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
+    FractionExpander { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
 /// Expands an expression of a claim to lowest terms.
 pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, true, &mut Subexpressions::of(&scope.symbols));
-    Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
+    FractionExpander { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
 fn budget(scope: &Scope) -> Budget {
@@ -98,7 +98,7 @@ pub(super) fn is_spent(scope: &Scope) -> bool {
     scope.products.get() >= MOST_WORK_OF_BLOCK
 }
 
-struct Fractions<'a> {
+struct FractionExpander<'a> {
     scope: &'a Scope,
     inverts: bool,
     reduces: bool,
@@ -106,7 +106,7 @@ struct Fractions<'a> {
     budget: Budget,
 }
 
-impl Target for Fractions<'_> {
+impl LoweringTarget for FractionExpander<'_> {
     type Value = Expansion;
 
     fn number(&mut self, value: &Rational) -> Expansion {
@@ -250,12 +250,12 @@ impl Target for Fractions<'_> {
         a.numerator.is_zero()
     }
 
-    fn inverts(&self) -> bool {
+    fn allows_negative_exponents(&self) -> bool {
         self.inverts
     }
 }
 
-impl Fractions<'_> {
+impl FractionExpander<'_> {
     fn expanded(mut self, expr: &Expr) -> Result<Expansion, Diagnostic> {
         let before = self.budget.work_left();
         let expansion = lower(expr, &mut self);
@@ -302,14 +302,14 @@ impl Fractions<'_> {
         terms: &[(bool, Expansion)],
         span: Span,
     ) -> Result<(Option<Polynomial>, Vec<Polynomial>), Diagnostic> {
-        let is_whole = |(_, term): &(bool, Expansion)| term.kept.is_none() && term.kept().len() < 2;
+        let is_whole = |(_, term): &(bool, Expansion)| term.kept.is_none() && term.written_form().len() < 2;
         let is_plain = terms.len() < 2 || terms.iter().all(is_whole);
         if is_plain && terms.len() > MOST_IN_ORDER {
             return Ok((None, Vec::new()));
         }
         let mut written: Vec<(bool, Polynomial)> = Vec::with_capacity(terms.len());
         for (negative, term) in terms {
-            let factor = if terms.len() < 2 { term.kept().clone() } else { self.factor(term) };
+            let factor = if terms.len() < 2 { term.written_form().clone() } else { self.factor(term) };
             written.push((false, if *negative { -&factor } else { factor }));
         }
         let is_kept = !is_plain || terms.iter().any(|(_, term)| term.kept.is_some());
@@ -321,7 +321,9 @@ impl Fractions<'_> {
 
     /// Returns the written form for use as a factor. A sum becomes a named subexpression.
     fn factor(&mut self, of: &Expansion) -> Polynomial {
-        let Some((first, others)) = of.order.split_first() else { return self.values.factor(of.kept()) };
+        let Some((first, others)) = of.order.split_first() else {
+            return self.values.factor(of.written_form());
+        };
         others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))
     }
 

@@ -4,8 +4,8 @@ use rustc_hash::FxHashSet;
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax::{
-    Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, ExprKind, Factor, FamilyHead, InFamily, Reference,
-    Term,
+    Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, ExprKind, Factor, FamilyHead, FamilySyntax,
+    Reference, Term,
 };
 
 use crate::family::{Family, Role, SiteSum};
@@ -33,7 +33,7 @@ pub(crate) fn check_family(
     let equations = block.equations[head.equations_before..head.equations_until].to_vec();
     let block = &Block { equations, ..block.clone() };
     let declared = Scope::new(block, diagnostics);
-    let names = Names::of(block, &declared.symbols);
+    let names = FamilyNames::of(block, &declared.symbols);
     if report_names(names.seen() + block.constants.len(), block, diagnostics) {
         return (StandIn::of_type(block.header.clone()), None);
     }
@@ -106,14 +106,14 @@ fn report_items_beside_family(block: &Block, head: &FamilyHead, diagnostics: &mu
     }
 }
 
-struct Names {
+struct FamilyNames {
     arrays: Vec<String>,
     parameters: Vec<String>,
     site_parameters: Vec<String>,
     reach: usize,
 }
 
-impl Names {
+impl FamilyNames {
     /// Collects the names of a family. A parameter with an index is a parameter of each site.
     fn of(block: &Block, declared: &Symbols) -> Self {
         let (mut reach, mut at_sites) = (1, FxHashSet::default());
@@ -126,7 +126,7 @@ impl Names {
         let Symbols { states, parameters } = declared.clone();
         let (site_parameters, parameters) =
             parameters.into_iter().partition(|name| at_sites.contains(name.as_str()));
-        Names { arrays: states, parameters, site_parameters, reach }
+        FamilyNames { arrays: states, parameters, site_parameters, reach }
     }
 
     fn seen(&self) -> usize {
@@ -198,7 +198,7 @@ fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic
 fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {
-        ExprKind::Special(InFamily::OverSites(inner)) => match find_sum(inner) {
+        ExprKind::Special(FamilySyntax::OverSites(inner)) => match find_sum(inner) {
             Some(nested) => Err(Diagnostic::new(
                 Kind::Claim,
                 nested.span,
@@ -216,10 +216,10 @@ fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
             let sums = factors.iter().filter(|factor| !factor.divides && find_sum(&factor.expr).is_some());
             let others = factors.iter().filter(|factor| find_sum(&factor.expr).is_none());
             if sums.count() != 1 || others.clone().count() + 1 != factors.len() {
-                return Err(outside(expr));
+                return Err(outside_sum(expr));
             }
             if let Some(factor) = others.clone().find(|factor| is_at_sites(&factor.expr)) {
-                return Err(outside(&factor.expr));
+                return Err(outside_sum(&factor.expr));
             }
             let factor = |factor: &Factor| {
                 let expr = match find_sum(&factor.expr) {
@@ -232,12 +232,12 @@ fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
         }
         ExprKind::Number(_)
         | ExprKind::Name(_)
-        | ExprKind::Special(InFamily::Site { .. })
-        | ExprKind::Power(..) => Err(outside(expr)),
+        | ExprKind::Special(FamilySyntax::Site { .. })
+        | ExprKind::Power(..) => Err(outside_sum(expr)),
     }
 }
 
-fn outside(expr: &Expr) -> Diagnostic {
+fn outside_sum(expr: &Expr) -> Diagnostic {
     let message = "a claim of a family is a sum over all sites, and this stands outside of it";
     let help = "write `sum(…)` around what belongs to site `i`";
     Diagnostic::new(Kind::Claim, expr.span, message, help)
@@ -245,7 +245,7 @@ fn outside(expr: &Expr) -> Diagnostic {
 
 fn find_sum(expr: &Expr) -> Option<&Expr> {
     match &expr.kind {
-        ExprKind::Special(InFamily::OverSites(_)) => Some(expr),
+        ExprKind::Special(FamilySyntax::OverSites(_)) => Some(expr),
         _ => expr.parts().into_iter().find_map(find_sum),
     }
 }
@@ -275,10 +275,10 @@ fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diag
 
 fn undefined(family: &Family, component: &RationalFunction) -> Option<String> {
     let divisors = component.denominator().terms().map(|(monomial, _)| monomial);
-    let divisor = divisors.filter_map(|monomial| beyond(family, monomial, (0, 0))).next();
+    let divisor = divisors.filter_map(|monomial| beyond_reach(family, monomial, (0, 0))).next();
     divisor.or_else(|| {
         let terms = component.numerator().terms();
-        terms.filter_map(|(monomial, _)| beyond(family, monomial, states(family, monomial))).next()
+        terms.filter_map(|(monomial, _)| beyond_reach(family, monomial, states(family, monomial))).next()
     })
 }
 
@@ -290,7 +290,7 @@ fn states(family: &Family, monomial: &Monomial) -> (i64, i64) {
     offsets.fold((0, 0), |(least, most), offset| (least.min(offset), most.max(offset)))
 }
 
-fn beyond(family: &Family, monomial: &Monomial, (least, most): (i64, i64)) -> Option<String> {
+fn beyond_reach(family: &Family, monomial: &Monomial, (least, most): (i64, i64)) -> Option<String> {
     monomial.powers().iter().find_map(|&(variable, _)| match family.role(variable) {
         Role::SiteParameter { offset, index } if offset < least || offset > most => {
             Some(Reference::Site { array: &family.site_parameters[index], offset }.to_string())

@@ -6,7 +6,7 @@
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
-use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
+use kahan_syntax::syntax::{Expr, ExprKind, FamilySyntax, Reference};
 use kahan_syntax::token::Span;
 
 use crate::render::{Notation, Text};
@@ -17,7 +17,7 @@ pub(super) const HIGHEST_EXPONENT: i64 = 64;
 pub(super) const MOST_BITS: u64 = 1 << 16;
 
 /// A representation into which expressions are lowered.
-pub(super) trait Target {
+pub(super) trait LoweringTarget {
     type Value;
 
     fn number(&mut self, value: &Rational) -> Self::Value;
@@ -30,14 +30,14 @@ pub(super) trait Target {
     fn power(&mut self, a: Self::Value, exponent: u64, span: Span) -> Result<Self::Value, Diagnostic>;
     fn is_zero(&self, a: &Self::Value) -> bool;
     /// Returns whether expressions may contain negative exponents.
-    fn inverts(&self) -> bool;
+    fn allows_negative_exponents(&self) -> bool;
 }
 
-pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, Diagnostic> {
+pub(super) fn lower<T: LoweringTarget>(expr: &Expr, target: &mut T) -> Result<T::Value, Diagnostic> {
     match &expr.kind {
         ExprKind::Number(value) => Ok(target.number(value)),
         ExprKind::Name(name) => target.named(Reference::Name(name), expr.span),
-        ExprKind::Special(InFamily::Site { array, offset }) => {
+        ExprKind::Special(FamilySyntax::Site { array, offset }) => {
             target.named(Reference::Site { array, offset: *offset }, expr.span)
         }
         ExprKind::Negation(inner) => {
@@ -71,7 +71,7 @@ pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, 
             }
             let one = target.number(&Rational::one());
             let inverse = divide(target, one, power, base.span)?;
-            if target.inverts() {
+            if target.allows_negative_exponents() {
                 return Ok(inverse);
             }
             let base = if let ExprKind::Name(name) = &base.kind { name } else { "(…)" };
@@ -80,11 +80,11 @@ pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, 
             let help = format!("in an equation write a quotient, `1/{shown}`");
             Err(Diagnostic::new(Kind::Exponent, expr.span, message, help))
         }
-        ExprKind::Special(InFamily::OverSites(_)) => Err(sum_out_of_place(expr.span)),
+        ExprKind::Special(FamilySyntax::OverSites(_)) => Err(sum_out_of_place(expr.span)),
     }
 }
 
-fn divide<T: Target>(
+fn divide<T: LoweringTarget>(
     target: &mut T,
     dividend: T::Value,
     divisor: T::Value,

@@ -4,10 +4,10 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
 
 use crate::field::Field;
-use crate::plan::{Input, Node, Operation, Plan, PlanBuilder, separated};
+use crate::plan::{Input, Node, Operation, Plan, PlanBuilder, split_with_quotients};
 use crate::poly::{Polynomial, Variable, gcd};
 use crate::rational_function::RationalFunction;
-use crate::subexpressions::WithConstants;
+use crate::subexpressions::FieldWithConstants;
 use crate::symbols::{Symbol, Symbols};
 
 use crate::family::{Family, Role, SiteSum};
@@ -84,7 +84,7 @@ impl Family {
         let rows = field.len() + nodes.len();
         let outputs: Vec<Node> = field.iter().chain(&nodes).chain(&sums).copied().collect();
         let (constants, all) =
-            separated(&writer.builder.finish(&outputs), |variable| symbols.is_state(variable));
+            split_with_quotients(&writer.builder.finish(&outputs), |variable| symbols.is_state(variable));
         let part = |range: std::ops::Range<usize>| Plan {
             outputs: all.outputs[range].to_vec(),
             operations: all.operations.clone(),
@@ -159,7 +159,7 @@ impl Family {
 
 struct LineWriter<'a> {
     family: &'a Family,
-    with_constants: &'a WithConstants,
+    with_constants: &'a FieldWithConstants,
     symbols: &'a Symbols,
     builder: PlanBuilder,
 }
@@ -201,7 +201,7 @@ impl LineWriter<'_> {
         let one = Polynomial::one();
         let (inside, outside) = if is_prepared { (below, &one) } else { (&one, below) };
         let mut sum = self.builder.constant(&Rational::ZERO);
-        for (coefficient, values) in self.by_coefficient(above) {
+        for (coefficient, values) in self.split_by_coefficient(above) {
             let common = gcd(&coefficient, inside);
             let [coefficient, inside] =
                 [&coefficient, inside].map(|of| of.checked_div(&common).expect("a common divisor divides"));
@@ -226,7 +226,7 @@ impl LineWriter<'_> {
 
     /// Splits a polynomial into terms cₖ·pₖ. The coefficients cₖ contain only parameters and are
     /// not proportional to each other.
-    fn by_coefficient(&self, polynomial: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
+    fn split_by_coefficient(&self, polynomial: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
         let mut terms: Vec<(Polynomial, Polynomial)> = Vec::new();
         for (monomial, coefficient) in polynomial.group(|variable| self.is_of_site(variable)).iter() {
             let primitive = coefficient.primitive_part();

@@ -22,7 +22,7 @@ use crate::field::Field;
 use crate::kahan::{RationalMap, SparseRows, bilinear_form, matrix_of, polarization, scaled_rhs};
 use crate::plan::{DenseField, Node, Plan, PlanBuilder, StepPlan, plan_of, tangent_plan};
 use crate::poly::Polynomial;
-use crate::subexpressions::{Subexpressions, WithConstants};
+use crate::subexpressions::{FieldWithConstants, Subexpressions};
 use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, System};
 
@@ -111,7 +111,7 @@ pub fn derive(system: &System) -> Derived {
 /// The field and the map from which the step is planned.
 #[derive(Clone, Debug)]
 struct PlannedField {
-    with_constants: WithConstants,
+    with_constants: FieldWithConstants,
     map: Option<RationalMap>,
 }
 
@@ -131,9 +131,10 @@ impl PlannedField {
         };
         match RationalMap::of(&with.field).filter(is_as_short) {
             Some(own) => PlannedField { with_constants: with, map: Some(own) },
-            None => {
-                PlannedField { with_constants: WithConstants::plain(&system.field), map: Some(map.clone()) }
-            }
+            None => PlannedField {
+                with_constants: FieldWithConstants::plain(&system.field),
+                map: Some(map.clone()),
+            },
         }
     }
 

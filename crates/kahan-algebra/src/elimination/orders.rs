@@ -12,7 +12,7 @@ use super::graph::{FilledPattern, Graph};
 pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
     let neighbours = graph.neighbours();
     let proposals = [
-        as_written(graph.len()),
+        natural_order(graph.len()),
         from_both_ends(graph.len()),
         reverse_cuthill_mckee(&neighbours),
         minimum_degree(&neighbours),
@@ -28,7 +28,7 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
 }
 
 /// Returns the variables in the order of their equations, which suits band matrices.
-fn as_written(count: usize) -> Vec<usize> {
+fn natural_order(count: usize) -> Vec<usize> {
     (0..count).collect()
 }
 
@@ -90,7 +90,7 @@ fn minimum_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
             return order;
         }
         for &place in &tied {
-            around[place] = united(&around[place], &tied, |other| other != place && other != chosen);
+            around[place] = sorted_union(&around[place], &tied, |other| other != place && other != chosen);
             queue.push(Reverse((around[place].len(), chain_lengths[place], place)));
         }
     }
@@ -106,7 +106,7 @@ fn append_by_pivot_chain(mut left: Vec<usize>, chain_lengths: &mut [usize], orde
     }
 }
 
-fn united(left: &[usize], right: &[usize], is_kept: impl Fn(usize) -> bool) -> Vec<usize> {
+fn sorted_union(left: &[usize], right: &[usize], is_kept: impl Fn(usize) -> bool) -> Vec<usize> {
     let mut united = Vec::with_capacity(left.len() + right.len());
     let (mut a, mut b) = (0, 0);
     while a < left.len() || b < right.len() {
@@ -170,7 +170,7 @@ mod tests {
             let graph = Graph::of_blocks(&rows, &[(0..n).collect()]).remove(0);
             let neighbours = graph.neighbours();
             let orders = [
-                as_written(n),
+                natural_order(n),
                 from_both_ends(n),
                 reverse_cuthill_mckee(&neighbours),
                 minimum_degree(&neighbours),

@@ -37,7 +37,7 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
     if divides_by_site {
         return refuse("divides by a parameter of a site", "declare the reciprocal as the parameter");
     }
-    match missing(&MiddleSite::of(family), hamiltonian, &mut budget()) {
+    match find_unmatched_term(&MiddleSite::of(family), hamiltonian, &mut budget()) {
         Ok(None) => Ok(()),
         Err(OverBudget) => Err(too_long(name)),
         Ok(Some(UnmatchedTerm { array, term, site, sites })) => {
@@ -91,7 +91,7 @@ struct RowTerm {
     coefficient: Polynomial,
 }
 
-pub(super) fn missing(
+pub(super) fn find_unmatched_term(
     middle: &MiddleSite<'_>,
     hamiltonian: &SiteSum,
     budget: &mut Budget,
@@ -107,7 +107,7 @@ pub(super) fn missing(
     let mut equations = Equations::new(unknowns.len());
     let name = |array, term: &RowTerm, extent: SiteRange| UnmatchedTerm {
         array,
-        term: relative(middle, &term.monomial),
+        term: relative_monomial(middle, &term.monomial),
         site: middle.site - extent.first,
         sites: extent.sites(),
     };
@@ -209,7 +209,7 @@ fn row(
     Ok(terms)
 }
 
-fn relative(middle: &MiddleSite<'_>, monomial: &Monomial) -> String {
+fn relative_monomial(middle: &MiddleSite<'_>, monomial: &Monomial) -> String {
     let family = middle.chain.family;
     let name = |variable| match middle.chain.symbols.symbol(variable) {
         Symbol::State(_) => {

@@ -11,7 +11,7 @@ use crate::read;
 
 use super::conserved::cancels;
 use super::everywhere::{MiddleSite, budget};
-use super::hamiltonian::missing;
+use super::hamiltonian::find_unmatched_term;
 
 /// A coefficient and factors. A factor is an array name with an offset.
 type Term = (i64, Vec<(&'static str, i64)>);
@@ -233,7 +233,7 @@ fn work(text: &str) -> u64 {
     let middle = MiddleSite::of(&family);
     match (&family.hamiltonian, &*family.integrals) {
         (Some(energy), []) => {
-            assert!(missing(&middle, energy, &mut budget).expect("within").is_none(), "{text}");
+            assert!(find_unmatched_term(&middle, energy, &mut budget).expect("within").is_none(), "{text}");
         }
         (None, [sum]) => assert!(cancels(&middle, sum, &mut budget).expect("within"), "{text}"),
         _ => panic!("one claim"),

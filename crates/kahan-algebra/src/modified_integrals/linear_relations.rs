@@ -53,7 +53,7 @@ pub(super) fn linear_relations(
     let with_last = free.map(|column| {
         let mut relation = std::mem::take(&mut relations[column]);
         relation.push((column, RationalFunction::one()));
-        cleared(&relation, budget)
+        without_denominators(&relation, budget)
     });
     with_last.collect()
 }
@@ -84,7 +84,7 @@ fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Ve
     (rows.into_iter().map(|row| row.into_iter().map(function).collect()).collect(), is_zero)
 }
 
-fn cleared(relation: &Row, budget: &mut Budget) -> WithinBudget<Relation> {
+fn without_denominators(relation: &Row, budget: &mut Budget) -> WithinBudget<Relation> {
     let entries = relation.iter().map(|(_, entry)| entry);
     let (numerators, _) = RationalFunction::over_common_within(entries, budget)?;
     let contents = numerators.iter().map(Polynomial::content);

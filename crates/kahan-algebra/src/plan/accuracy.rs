@@ -22,33 +22,34 @@ use float_plan::{FloatPlan, short};
 use sample_step::{Elimination, SampleStep};
 
 /// Points are drawn at these sizes ‖εf′‖∞.
-const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
+const STEP_SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 /// The number of points of each size in the first round.
-const FEW: usize = 25;
+const FIRST_ROUND_POINTS: usize = 25;
 /// The number of points of each size in the second round.
-const MANY: usize = 100;
+const SECOND_ROUND_POINTS: usize = 100;
 /// The limit for the ratio of a step's median error to that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
 /// Smaller median errors of elimination, as multiples of the unit roundoff, are replaced by this.
-const SMALL: f64 = 10.0;
+const LEAST_MEDIAN_ERROR: f64 = 10.0;
 /// The limit for the ratio of a step's error to that of elimination at the quantile `TAIL`.
 const TAIL_FACTOR: f64 = 60.0;
 /// Errors up to this multiple of the unit roundoff are accepted at the quantile `TAIL`.
-const SMALL_TAIL: f64 = 1000.0;
+const LEAST_TAIL_ERROR: f64 = 1000.0;
 /// A step is refused if its errors exceed their limits by this factor and another step exists.
-const REFUSED: f64 = 1.5;
+const REFUSAL_RATIO: f64 = 1.5;
 /// A step can replace a refused step if its errors are at most this fraction of their limits.
-const KEPT: f64 = 1.0 / 6.0;
+const REPLACEMENT_RATIO: f64 = 1.0 / 6.0;
 /// A second round is skipped if the largest likely ratio of errors to limits is below this.
-const CLEAR: f64 = 0.2;
+const CLEARLY_WITHIN_RATIO: f64 = 0.2;
 /// A second round is skipped if the measured ratio of errors to limits is above this.
-const DOUBTFUL: f64 = 3.0 * REFUSED;
-/// With probability 0.9, the true median is between the quantiles ½ ± BAND/√n of n errors.
-const BAND: f64 = 0.8;
+const CLEARLY_BEYOND_RATIO: f64 = 3.0 * REFUSAL_RATIO;
+/// With probability 0.9, the true median of n errors is between the quantiles
+/// ½ ± MEDIAN_BAND_FACTOR/√n.
+const MEDIAN_BAND_FACTOR: f64 = 0.8;
 /// A step is called accurate if its errors are at most this fraction of their limits.
-const CLAIMED: f64 = 0.6;
+const CLAIMED_RATIO: f64 = 0.6;
 /// The quantile that stands for the large errors of a step.
-const TAIL: f64 = 0.9;
+const TAIL_QUANTILE: f64 = 0.9;
 
 /// The sample points of every size, with the errors of elimination.
 pub(super) struct Accuracy<'a> {
@@ -70,7 +71,7 @@ struct Ratio {
 
 impl<'a> Accuracy<'a> {
     pub(super) fn of(field: &'a Field) -> Self {
-        Accuracy { field, few: points(field, FEW), many: OnceCell::new() }
+        Accuracy { field, few: sample_steps(field, FIRST_ROUND_POINTS), many: OnceCell::new() }
     }
 
     /// Measures the errors of a step, in two rounds if needed.
@@ -80,12 +81,16 @@ impl<'a> Accuracy<'a> {
             AccuracyLoss(points.iter().map(|trials| runner.loss(trials)).collect())
         };
         let first = loss(&self.few);
-        if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
+        if first.is_doubtful() {
+            loss(self.many.get_or_init(|| sample_steps(self.field, SECOND_ROUND_POINTS)))
+        } else {
+            first
+        }
     }
 
     pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
         let runner = Runner::of(step);
-        self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
+        self.few.iter().rev().all(|trials| runner.loss(trials).measured <= REPLACEMENT_RATIO)
     }
 
     /// Returns whether a plan that maps x, v and x̃ to ṽ is accurate enough. The sample points must
@@ -97,11 +102,11 @@ impl<'a> Accuracy<'a> {
             let inputs: Vec<f64> = trial.inputs.iter().chain(&trial.next[..n]).copied().collect();
             trial.error_from(n, &program.run(short, &inputs, &[]))
         };
-        self.few.iter().all(|trials| ratio(trials, error).measured <= REFUSED)
+        self.few.iter().all(|trials| ratio(trials, error).measured <= REFUSAL_RATIO)
     }
 }
 
-fn points(field: &Field, count: usize) -> Vec<Vec<SampleStep>> {
+fn sample_steps(field: &Field, count: usize) -> Vec<Vec<SampleStep>> {
     let plan = Elimination::plan(field);
     let elimination = Elimination::of(field, &plan);
     let mut random = SplitMix64::from_bytes(b"long steps");
@@ -110,18 +115,18 @@ fn points(field: &Field, count: usize) -> Vec<Vec<SampleStep>> {
             (0..2 * count).filter_map(|_| SampleStep::draw(&elimination, f64::from(size), &mut random));
         drawn.take(count).collect()
     };
-    SIZES.into_iter().map(&mut of_size).collect()
+    STEP_SIZES.into_iter().map(&mut of_size).collect()
 }
 
 impl AccuracyLoss {
     /// Returns whether errors are so large that a more accurate step is preferred.
     pub(super) fn is_refused(&self) -> bool {
-        self.worst() > REFUSED
+        self.worst() > REFUSAL_RATIO
     }
 
     fn is_doubtful(&self) -> bool {
         let largest = self.0.iter().map(|ratio| ratio.largest).fold(0.0, f64::max);
-        largest > CLEAR && self.worst() < DOUBTFUL
+        largest > CLEARLY_WITHIN_RATIO && self.worst() < CLEARLY_BEYOND_RATIO
     }
 
     fn worst(&self) -> f64 {
@@ -131,7 +136,7 @@ impl AccuracyLoss {
     /// Returns the largest size ‖εf′‖∞ up to which the step is accurate. Returns 0 without such a
     /// size.
     pub(super) fn holds_to(&self) -> u32 {
-        let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED);
+        let held = STEP_SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED_RATIO);
         held.last().map_or(0, |(size, _)| *size)
     }
 }
@@ -164,19 +169,19 @@ impl<'a> Runner<'a> {
 
 /// Returns the ratio of errors to their limit at the median or at `TAIL`, whichever is larger.
 fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
-    if trials.len() < FEW {
+    if trials.len() < FIRST_ROUND_POINTS {
         return Ratio { measured: 0.0, largest: 0.0 };
     }
     let own = sorted_by(trials.iter().map(error), f64::total_cmp);
     let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
-    let band = BAND / (trials.len() as f64).sqrt();
+    let band = MEDIAN_BAND_FACTOR / (trials.len() as f64).sqrt();
     // The quantile of the step at q + `shift` is compared with that of elimination at q − `shift`.
     let ratio = |shift: f64| {
-        let of_medians =
-            quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));
-        let tail = quantile(&own, TAIL + shift / 2.0);
-        let of_tails = tail / (TAIL_FACTOR * quantile(&others, TAIL - shift / 2.0));
-        if tail <= SMALL_TAIL { of_medians } else { of_medians.max(of_tails) }
+        let of_medians = quantile(&own, 0.5 + shift)
+            / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(LEAST_MEDIAN_ERROR));
+        let tail = quantile(&own, TAIL_QUANTILE + shift / 2.0);
+        let of_tails = tail / (TAIL_FACTOR * quantile(&others, TAIL_QUANTILE - shift / 2.0));
+        if tail <= LEAST_TAIL_ERROR { of_medians } else { of_medians.max(of_tails) }
     };
     Ratio { measured: ratio(0.0), largest: ratio(band) }
 }

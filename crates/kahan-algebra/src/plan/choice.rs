@@ -69,7 +69,11 @@ mod tests {
     /// Returns the forms with a shorter recurrence than the cheapest form, and the number of all
     /// forms. The function `recurrence` maps the recurrence of the cheapest form to a limit for the
     /// search.
-    fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
+    fn shorter_recurrences(
+        field: &Field,
+        map: &RationalMap,
+        recurrence: impl Fn(u64) -> u64,
+    ) -> (Vec<StepPlan>, usize) {
         let plan =
             |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, None, Some(map)).expect("the field is small");
@@ -92,8 +96,8 @@ mod tests {
         ] {
             let field = crate::read(&kahan_syntax::lexer::lex(text).tokens).system().expect("a system").field;
             let map = RationalMap::of(&field).expect("the field is small");
-            let (all, made) = shorter(&field, &map, |_| u64::MAX);
-            let (some, fewer) = shorter(&field, &map, |limit| limit);
+            let (all, made) = shorter_recurrences(&field, &map, |_| u64::MAX);
+            let (some, fewer) = shorter_recurrences(&field, &map, |limit| limit);
             assert_eq!(all, some, "{text}");
             given_up += made - fewer;
         }

@@ -13,7 +13,7 @@ const FEWEST_VARIABLES: usize = 10;
 /// For fields with fewer products of two variables, straight-line code is faster.
 const FEWEST_PRODUCTS: usize = 300;
 /// In a dense field, at least one in this many products has a nonzero coefficient.
-const SPARSEST: usize = 10;
+const PRODUCTS_PER_NONZERO: usize = 10;
 
 #[derive(Clone, Debug)]
 enum Coefficient {
@@ -50,7 +50,7 @@ impl DenseField {
     /// variables, divisors, or sums as factors.
     pub(crate) fn of(kept: &FieldWithSubexpressions, symbols: &Symbols) -> Option<Self> {
         let n = symbols.dimension();
-        let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / SPARSEST);
+        let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / PRODUCTS_PER_NONZERO);
         let terms: usize = kept.components.iter().map(Polynomial::len).sum();
         if n < FEWEST_VARIABLES || !kept.values.values.is_empty() || terms < fewest {
             return None;

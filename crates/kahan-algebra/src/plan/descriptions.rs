@@ -8,7 +8,7 @@ use crate::symbols::Symbols;
 
 use super::{Node, Operation, Plan};
 
-const LONGEST: usize = 24;
+const MAX_NAME_LENGTH: usize = 24;
 
 /// The kind of the outermost operation in a description.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -31,7 +31,7 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
         let description = describe(operation, symbols, prepared, |node: Node| known[node.0].as_ref());
-        known.push(description.filter(|description| description.text.len() <= LONGEST));
+        known.push(description.filter(|description| description.text.len() <= MAX_NAME_LENGTH));
     }
     let eps = Operation::Input(Input::Variable(symbols.epsilon()));
     let has_name = |operation: &Operation| match *operation {

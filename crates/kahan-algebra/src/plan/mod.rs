@@ -70,5 +70,5 @@ pub(crate) use forms::structure::blocks as triangular_blocks;
 pub(crate) use forms::tangent::tangent_plan;
 pub use operation::{Cost, Input, Node, Operation, Plan, variables};
 pub use step::kernel::Kernel;
-pub(crate) use step::split::separated;
+pub(crate) use step::split::split_with_quotients;
 pub use step::{LARGEST_SIZE, StepCost, StepPlan};

@@ -5,7 +5,7 @@ use kahan_syntax::rational::Rational;
 
 use crate::plan::{Input, plan_of};
 use crate::poly::{Polynomial, Variable};
-use crate::subexpressions::{FieldWithSubexpressions, Subexpressions, Value, WithConstants};
+use crate::subexpressions::{FieldWithConstants, FieldWithSubexpressions, Subexpressions, Value};
 use crate::symbols::Symbol;
 
 use super::{Node, Operation, Plan, PlanBuilder};
@@ -86,7 +86,7 @@ impl FieldWithSubexpressions {
     }
 }
 
-impl WithConstants {
+impl FieldWithConstants {
     /// Inserts subexpressions into a plan for one site. The function `constant` returns the
     /// subexpression of a variable, and `rename` renames other variables.
     pub(crate) fn put_into_line(

@@ -30,8 +30,8 @@ pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within
     if a.len() == 1 || b.len() == 1 {
         return Ok(Polynomial::term(common, Rational::ONE));
     }
-    let stripped_a = strip(a, &monomial_a);
-    let stripped_b = strip(b, &monomial_b);
+    let stripped_a = without_monomial(a, &monomial_a);
+    let stripped_b = without_monomial(b, &monomial_b);
     Ok(gcd_stripped(&stripped_a, &stripped_b, budget)?.mul_monomial(&common))
 }
 
@@ -60,7 +60,7 @@ pub fn gcd_all_within<'a>(
     Ok(common)
 }
 
-fn strip(polynomial: &Polynomial, monomial: &Monomial) -> Polynomial {
+fn without_monomial(polynomial: &Polynomial, monomial: &Monomial) -> Polynomial {
     polynomial.div_monomial(monomial).expect("the monomial content divides every term").primitive_part()
 }
 

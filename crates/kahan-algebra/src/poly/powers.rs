@@ -3,19 +3,19 @@
 
 use super::Variable;
 
-const FEW: usize = 4;
+const INLINE_CAPACITY: usize = 4;
 
 pub(super) type Power = (Variable, u32);
 
 #[derive(Clone, Debug)]
 pub(super) enum Powers {
     /// The length of the list, and an array that begins with the entries.
-    Few(usize, [Power; FEW]),
+    Few(usize, [Power; INLINE_CAPACITY]),
     Many(Vec<Power>),
 }
 
 impl Powers {
-    pub(super) const NONE: Self = Powers::Few(0, [(Variable(0), 0); FEW]);
+    pub(super) const NONE: Self = Powers::Few(0, [(Variable(0), 0); INLINE_CAPACITY]);
 
     pub(super) fn as_slice(&self) -> &[Power] {
         match self {
@@ -33,12 +33,12 @@ impl Powers {
 
     pub(super) fn push(&mut self, power: Power) {
         match self {
-            Powers::Few(count, powers) if *count < FEW => {
+            Powers::Few(count, powers) if *count < INLINE_CAPACITY => {
                 powers[*count] = power;
                 *count += 1;
             }
             Powers::Few(_, powers) => {
-                let mut many = Vec::with_capacity(2 * FEW);
+                let mut many = Vec::with_capacity(2 * INLINE_CAPACITY);
                 many.extend_from_slice(powers);
                 many.push(power);
                 *self = Powers::Many(many);

@@ -14,7 +14,7 @@ impl Polynomial {
     /// terms than its square is not found. The shortest known root of this kind has 13 terms.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
-        let (monomial, coefficient) = (half(monomial)?, rational_root(coefficient)?);
+        let (monomial, coefficient) = (half_exponents(monomial)?, rational_root(coefficient)?);
         let twice = &coefficient + &coefficient;
         let mut root = Self::term(monomial.clone(), coefficient);
         let mut rest = self - &(&root * &root);
@@ -31,7 +31,7 @@ impl Polynomial {
     }
 }
 
-fn half(monomial: &Monomial) -> Option<Monomial> {
+fn half_exponents(monomial: &Monomial) -> Option<Monomial> {
     let mut half = Monomial::one();
     for &(variable, exponent) in monomial.powers() {
         if exponent % 2 == 1 {

@@ -26,7 +26,7 @@ use crate::prime_field::Shake256;
 use crate::render::condition_text;
 use crate::system::{Claim, Condition, System};
 
-use sample::{Samples, Scheme};
+use sample::{FieldPlans, Samples};
 
 /// The result for a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     if system.claims.is_empty() {
         return Vec::new();
     }
-    let scheme = Scheme::of(&system.field);
+    let scheme = FieldPlans::of(&system.field);
     let mut random = Shake256::new(&seed);
     // Claims with equal conditions are tested at the same points.
     let mut groups: Vec<Samples<'_>> = Vec::new();

@@ -9,7 +9,7 @@ use crate::system::Claim;
 use super::Verdict;
 use super::refute::{Refutation, refute};
 use super::residual::SampledClaim;
-use super::sample::{MOST_DRAWS, Samples, Scheme};
+use super::sample::{FieldPlans, MOST_DRAWS, Samples};
 use super::sizes::points_for;
 
 /// The result of a successful proof.
@@ -25,7 +25,7 @@ struct Evidence {
     says_something: bool,
 }
 
-pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Verdict {
+pub(super) fn decide(scheme: &FieldPlans, claim: &Claim, samples: &mut Samples<'_>) -> Verdict {
     let Some(needed) = points_for(scheme, claim) else { return Verdict::TooLarge };
     let (mut accepted, mut drawn, mut says_something) = (0, 0, false);
     while accepted < needed {
@@ -55,7 +55,7 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) 
 
 /// Returns whether the claim holds at a small exact point. Returns `None` if no exact step is
 /// possible.
-fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
+fn exact_check(scheme: &FieldPlans, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
     for index in 0..MOST_DRAWS {
         let sample = samples.exact(scheme, index)?;
         if let Some(evidence) = examine(&SampledClaim { claim, arithmetic: &Exact, sample }) {

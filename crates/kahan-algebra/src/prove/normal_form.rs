@@ -10,7 +10,7 @@ use crate::relations::put_into;
 use crate::system::{Claim, System};
 
 use super::residual::SampledClaim;
-use super::sample::{Sample, Scheme, evaluate_conditions, rows, run};
+use super::sample::{FieldPlans, Sample, evaluate_conditions, rows, run};
 
 /// The most terms of an intermediate result. A proof takes about a second at worst.
 const MOST_TERMS: usize = 20_000;
@@ -20,7 +20,7 @@ const MOST_WORK: u64 = 1_000_000;
 #[must_use]
 pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     let map = RationalMap::of(&system.field)?;
-    let scheme = Scheme::of(&system.field);
+    let scheme = FieldPlans::of(&system.field);
     let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
     let sample = sample(&scheme, &map, claim, &functions)?;
     let mut holds = true;
@@ -31,7 +31,7 @@ pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
 }
 
 fn sample(
-    scheme: &Scheme,
+    scheme: &FieldPlans,
     map: &RationalMap,
     claim: &Claim,
     functions: &Functions,

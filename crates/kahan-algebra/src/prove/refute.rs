@@ -9,10 +9,10 @@ use crate::symbols::Symbols;
 use crate::system::{Claim, upper_index};
 
 use super::residual::{Identity, SampledClaim};
-use super::sample::{Scheme, run, small_point, take_step};
+use super::sample::{FieldPlans, run, small_point, take_step};
 
 /// The largest numerator or denominator in the points of the search.
-const HIGHEST: u64 = 24;
+const MAX_HEIGHT: u64 = 24;
 const POINTS_PER_HEIGHT: usize = 48;
 
 /// The reason why a claim is false.
@@ -35,9 +35,9 @@ pub enum Refutation {
     NoPoint,
 }
 
-pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
+pub(super) fn refute(scheme: &FieldPlans, claim: &Claim) -> Refutation {
     let mut random = SplitMix64::from_bytes(claim.name.text.as_bytes());
-    for height in 1..=HIGHEST {
+    for height in 1..=MAX_HEIGHT {
         for _ in 0..POINTS_PER_HEIGHT {
             let here = small_point(scheme, &claim.conditions, height, &mut random);
             let Some(sample) = here.and_then(|here| take_step(scheme, &Exact, here)) else { continue };

@@ -12,19 +12,19 @@ use crate::symbols::Symbols;
 use crate::system::Condition;
 
 /// The plans of the numerators of the field and of the matrix Â.
-pub(super) struct Scheme {
+pub(super) struct FieldPlans {
     pub(super) symbols: Symbols,
     pub(super) numerators: Plan,
     pub(super) matrix: Plan,
     pub(super) variables: usize,
 }
 
-impl Scheme {
+impl FieldPlans {
     pub(super) fn of(field: &Field) -> Self {
         let numerators = plan_of(field.numerators());
         let matrix = plan_of(scaled_matrix(field).iter().flatten());
         let variables = usize::from(field.symbols.epsilon().0) + 1;
-        Scheme { symbols: field.symbols.clone(), numerators, matrix, variables }
+        FieldPlans { symbols: field.symbols.clone(), numerators, matrix, variables }
     }
 
     pub(super) fn dimension(&self) -> usize {
@@ -57,7 +57,7 @@ pub(super) fn rows<V: Clone>(entries: &[V], n: usize) -> Vec<Vec<V>> {
 
 /// Takes one step from the point `here`. Returns `None` at a pole or for an undefined constant.
 pub(super) fn take_step<A: OverRationals>(
-    scheme: &Scheme,
+    scheme: &FieldPlans,
     arithmetic: &A,
     here: Vec<A::Value>,
 ) -> Option<Sample<A::Value>> {
@@ -98,7 +98,7 @@ impl<'a> Samples<'a> {
     }
 
     /// Returns a point modulo its own prime. Returns `None` if [`MOST_DRAWS`] draws fail.
-    pub(super) fn modular(&mut self, scheme: &Scheme, index: usize) -> Option<&(Modular, Sample<u64>)> {
+    pub(super) fn modular(&mut self, scheme: &FieldPlans, index: usize) -> Option<&(Modular, Sample<u64>)> {
         let conditions = self.conditions;
         while self.modular.len() <= index {
             let sample = (0..MOST_DRAWS).find_map(|_| {
@@ -114,7 +114,7 @@ impl<'a> Samples<'a> {
     }
 
     /// Returns an exact point of small rationals. Returns `None` if [`MOST_DRAWS`] draws fail.
-    pub(super) fn exact(&mut self, scheme: &Scheme, index: usize) -> Option<&Sample<Rational>> {
+    pub(super) fn exact(&mut self, scheme: &FieldPlans, index: usize) -> Option<&Sample<Rational>> {
         let conditions = self.conditions;
         while self.exact.len() <= index {
             let sample = (0..MOST_DRAWS).find_map(|_| {
@@ -144,7 +144,7 @@ pub(super) fn evaluate_conditions<A: OverRationals>(
 /// nonzero, unless the conditions fix them. Returns `None` if a condition divides by zero, or if ε
 /// = 0.
 pub(super) fn small_point(
-    scheme: &Scheme,
+    scheme: &FieldPlans,
     conditions: &[Condition],
     height: u64,
     random: &mut dyn Random,

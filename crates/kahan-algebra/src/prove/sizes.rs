@@ -26,7 +26,7 @@ use crate::arithmetic::{Arithmetic, FractionSize, PolynomialSize, SizeArithmetic
 use crate::system::Claim;
 
 use super::residual::SampledClaim;
-use super::sample::{MOST_DRAWS, Sample, Scheme, evaluate_conditions, rows, run};
+use super::sample::{FieldPlans, MOST_DRAWS, Sample, evaluate_conditions, rows, run};
 
 /// The bound on the error probability of a proof is 2 to the power −`ERROR_EXPONENT`.
 pub const ERROR_EXPONENT: u32 = 100;
@@ -37,7 +37,7 @@ pub(super) const HIGHEST_DEGREE: u64 = 1 << 20;
 
 /// Returns the number of points that prove a claim. Returns `None` if no reasonable number
 /// suffices.
-pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
+pub(super) fn points_for(scheme: &FieldPlans, claim: &Claim) -> Option<u32> {
     let residuals =
         SampledClaim { claim, arithmetic: &SizeArithmetic, sample: &sample(scheme, claim)? }.pairs()?;
     let lengths = residuals.iter().map(|pair| SizeArithmetic.subtract(&pair.left, &pair.right).above);
@@ -58,7 +58,7 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
 }
 
 /// Takes one step in the arithmetic of sizes. The size of x̃ follows from Cramer's rule.
-fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<FractionSize>> {
+fn sample(scheme: &FieldPlans, claim: &Claim) -> Option<Sample<FractionSize>> {
     let n = scheme.dimension();
     let mut here = vec![FractionSize::variable(); scheme.variables];
     evaluate_conditions(&claim.conditions, &SizeArithmetic, &mut here)?;

@@ -1,6 +1,6 @@
 //! Prints expressions as written.
 
-use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
+use kahan_syntax::syntax::{Expr, ExprKind, FamilySyntax, Reference};
 
 use super::notation::{Notation, Text};
 
@@ -31,7 +31,7 @@ pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Prec
             (notation.number(value), level)
         }
         ExprKind::Name(name) => (notation.name(name), Precedence::Atom),
-        ExprKind::Special(InFamily::Site { array, offset }) => {
+        ExprKind::Special(FamilySyntax::Site { array, offset }) => {
             (notation.name(&Reference::Site { array, offset: *offset }.to_string()), Precedence::Atom)
         }
         ExprKind::Negation(inner) => {
@@ -46,7 +46,7 @@ pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Prec
             (text, Precedence::Sum)
         }
         ExprKind::Product(factors) => notation.written_product(factors),
-        ExprKind::Special(InFamily::OverSites(inner)) => {
+        ExprKind::Special(FamilySyntax::OverSites(inner)) => {
             (notation.over_sites(&written(notation, inner).0), Precedence::Atom)
         }
         ExprKind::Power(base, exponent) => {

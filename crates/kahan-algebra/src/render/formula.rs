@@ -89,13 +89,13 @@ impl Formulas<'_> {
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
         /// The most multiplications of terms for an entry, which take some tenths of a second.
-        const WORK: u64 = 1 << 20;
+        const MAX_TERM_PRODUCTS: u64 = 1 << 20;
 
         let map = &self.map?.reduced;
         let symbols = &self.field.symbols;
         let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
         let entry = |i: usize, j: usize| {
-            let budget = &mut Budget::new(TERM_BUDGET, WORK);
+            let budget = &mut Budget::new(TERM_BUDGET, MAX_TERM_PRODUCTS);
             let increment = two_eps.mul_within(&map.increments[i], budget).ok()?;
             let moved = RationalFunction::new_within(increment, map.denominator.clone(), budget).ok()??;
             let slope = moved.derivative_within(symbols.state(j), budget).ok()?;

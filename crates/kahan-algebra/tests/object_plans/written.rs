@@ -6,7 +6,7 @@ use kahan_algebra::interpret::Point;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
-use kahan_algebra::syntax::{Block, ClaimBody, ClaimKind, Expr, ExprKind, InFamily};
+use kahan_algebra::syntax::{Block, ClaimBody, ClaimKind, Expr, ExprKind, FamilySyntax};
 use kahan_syntax::parse::parse;
 
 pub(crate) struct Written {
@@ -113,7 +113,7 @@ impl Written {
         match &expr.kind {
             ExprKind::Number(number) => arithmetic.constant(number),
             ExprKind::Name(name) => self.named(arithmetic, name, point),
-            ExprKind::Special(InFamily::Site { .. }) => None,
+            ExprKind::Special(FamilySyntax::Site { .. }) => None,
             ExprKind::Negation(inner) => Some(arithmetic.negate(&value(inner)?)),
             ExprKind::Sum(terms) => {
                 let mut sum: Option<A::Value> = None;
@@ -152,7 +152,7 @@ impl Written {
                     _ => arithmetic.divide(&one, &power),
                 }
             }
-            ExprKind::Special(InFamily::OverSites(_)) => panic!("a plain block has no sites"),
+            ExprKind::Special(FamilySyntax::OverSites(_)) => panic!("a plain block has no sites"),
         }
     }
 

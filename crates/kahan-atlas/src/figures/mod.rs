@@ -21,7 +21,7 @@ pub(super) struct FigureEntry {
     pub(super) claims: &'static [&'static str],
 }
 
-fn plates(found: &AtlasContent<'_>) -> Vec<FigureEntry> {
+fn figure_entries(found: &AtlasContent<'_>) -> Vec<FigureEntry> {
     let orbits = &found.orbits;
     let drawn = [
         heights::overview(orbits),
@@ -30,14 +30,14 @@ fn plates(found: &AtlasContent<'_>) -> Vec<FigureEntry> {
         heights::de4(orbits),
         heights::de7(orbits),
         heights::de9(orbits),
-        curve::plate(),
-        Some(portrait::plate()),
+        curve::figure_entry(),
+        Some(portrait::figure_entry()),
     ];
     drawn.into_iter().flatten().collect()
 }
 
 pub(super) fn titles(found: &AtlasContent<'_>) -> Vec<(&'static str, &'static str)> {
-    plates(found).iter().map(|plate| (plate.id, plate.title)).collect()
+    figure_entries(found).iter().map(|plate| (plate.id, plate.title)).collect()
 }
 
 pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
@@ -51,7 +51,7 @@ pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
                 "they are multiplied by a constant in every step. All logarithms are natural, all steps 2ε long, and all "
                 "orbits exact where the caption does not say otherwise."
             }
-            @for (index, plate) in plates(found).iter().enumerate() { (figure(found, index + 1, plate)) }
+            @for (index, plate) in figure_entries(found).iter().enumerate() { (figure(found, index + 1, plate)) }
             (summary::table(&found.orbits))
         }
     }

@@ -52,7 +52,7 @@ fn change(orbit: &[Point]) -> f64 {
     orbit.iter().map(|point| (integral(point) - first).abs()).fold(0.0, f64::max)
 }
 
-pub(super) fn plate() -> FigureEntry {
+pub(super) fn figure_entry() -> FigureEntry {
     let study = Subject::named("lv").study(&Systems).expect("it is in the catalog");
     let (kahan, euler) = (orbits(&study, Method::Kahan), inside(orbits(&study, Method::Euler)));
     let (inner_kahan, inner_euler) = (change(&kahan[0]), change(&euler[0]));

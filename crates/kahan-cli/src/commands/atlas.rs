@@ -31,14 +31,14 @@ pub(crate) struct Atlas {
 
 impl Atlas {
     pub(crate) fn run(&self) -> Result<Answer, UsageError> {
-        let index = Index::begin(&self.out)?;
+        let index = IndexFile::begin(&self.out)?;
         let paper = Paper::new();
         let prompt = ProgressDisplay::new(AtlasContent::steps(&paper) as u64, "claims and orbits");
-        let found = AtlasContent::compute(&paper, || prompt.done(1));
+        let found = AtlasContent::compute(&paper, || prompt.show_steps(1));
         drop(prompt);
-        let text = page(&found, &index.making());
+        let text = page(&found, &index.creation());
         let answer = index.put(&text, &format!("{} claims, ", found.claims.len()), 1)?;
-        Ok(answer.but(match found.failed() {
+        Ok(answer.with_complaint(match found.failed() {
             0 => None,
             1 => Some("1 claim failed; the page says which".to_owned()),
             failed => Some(format!("{failed} claims failed; the page says which")),
@@ -47,12 +47,12 @@ impl Atlas {
 }
 
 /// The unfinished file DIR/index.html. The file appears only when it is complete.
-pub(super) struct Index {
+pub(super) struct IndexFile {
     path: PathBuf,
     since: Instant,
 }
 
-impl Index {
+impl IndexFile {
     /// Creates a missing folder, and checks that the file can be written.
     pub(super) fn begin(folder: &Path) -> Result<Self, UsageError> {
         let since = Instant::now();
@@ -70,11 +70,11 @@ impl Index {
         let path = folder.join("index.html");
         // Dropping the stream removes its temporary file.
         drop(OutputStream::file(&path, "--out")?);
-        Ok(Index { path, since })
+        Ok(IndexFile { path, since })
     }
 
     /// Returns today's date, and the time since `begin` in seconds.
-    pub(super) fn making(&self) -> PageCreation {
+    pub(super) fn creation(&self) -> PageCreation {
         let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let date = now.split('T').next().unwrap_or_default().to_owned();
         PageCreation { date, seconds: self.since.elapsed().as_secs_f64() }

@@ -132,17 +132,21 @@ impl TypedValueParser for Colours {
     ) -> Result<ColourColumn, clap::Error> {
         // If the name is unknown, clap's own parser refuses it.
         let refused = |()| {
-            listed().parse_ref(cmd, arg, value).map(|of| ColourColumn::named(of.name()).expect("listed"))
+            observable_parser()
+                .parse_ref(cmd, arg, value)
+                .map(|of| ColourColumn::named(of.name()).expect("listed"))
         };
         value.to_str().and_then(ColourColumn::named).ok_or(()).or_else(refused)
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        listed().possible_values().map(|values| Box::new(values.collect::<Vec<_>>().into_iter()) as _)
+        observable_parser()
+            .possible_values()
+            .map(|values| Box::new(values.collect::<Vec<_>>().into_iter()) as _)
     }
 }
 
-fn listed() -> impl TypedValueParser<Value = Observable> {
+fn observable_parser() -> impl TypedValueParser<Value = Observable> {
     observable(Observable::ALL.iter().filter(|one| one.label().is_some()))
 }
 

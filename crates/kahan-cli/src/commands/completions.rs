@@ -22,7 +22,7 @@ pub(crate) struct Completions {
 
 impl Completions {
     pub(crate) fn run(&self, command: Command) -> Result<Answer, UsageError> {
-        let mut command = naming_systems(command);
+        let mut command = with_system_names(command);
         let mut script = Vec::new();
         generate(self.shell, &mut command, "kahan", &mut script);
         let script = String::from_utf8(script).expect("names and words are texts");
@@ -33,7 +33,7 @@ impl Completions {
 
 /// Adds the names of systems as values of SYSTEM, for completion only. The command's own refusal of
 /// a wrong name says more than clap's list of names.
-fn naming_systems(command: Command) -> Command {
+fn with_system_names(command: Command) -> Command {
     let names = || PossibleValuesParser::new(all().map(|entry| entry.command).chain(["general"]));
     let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();
     subcommands.iter().fold(command, |command, name| {

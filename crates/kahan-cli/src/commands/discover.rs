@@ -149,12 +149,12 @@ fn modified<'a>(
         compact.map(|one| format!("{} = {}", one.label("H~"), one.modified(&Text))).collect();
     let [states, images] = states_and_images(&found.report, &Text);
     let last = lines.last_mut()?;
-    *last += &format!(", where {images} is the image of {states}{}", condition(found));
+    *last += &format!(", where {images} is the image of {states}{}", fixed_values_text(found));
     Some(lines)
 }
 
 /// Returns a text such as `, when a = 1, eps = 1/2`, or no text if no value is fixed.
-fn condition(found: &Discovered) -> String {
+fn fixed_values_text(found: &Discovered) -> String {
     let parameters = found.fixed.iter().map(|(name, value)| format!("{name} = {value}"));
     let fixed: Vec<String> = parameters.chain(found.eps.as_ref().map(|eps| format!("eps = {eps}"))).collect();
     if fixed.is_empty() { String::new() } else { format!(", when {}", fixed.join(", ")) }
@@ -164,7 +164,10 @@ fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
     let variables = &found.report.variables;
     found.report.bases.iter().enumerate().map(|(number, basis)| {
         let relation = basis.relation(variables, &Text);
-        [format!("basis {}{}: {relation}", number + 1, condition(found)), evaluation(basis, &Text, "")]
+        [
+            format!("basis {}{}: {relation}", number + 1, fixed_values_text(found)),
+            evaluation(basis, &Text, ""),
+        ]
     })
 }
 
@@ -193,7 +196,7 @@ fn latex(found: &Discovered) -> String {
         page.claim(&ClaimShown::of(&system, claim, notation));
     }
     for hamiltonian in found.report.compact() {
-        page.line(&format!("% modified Hamiltonian{}", condition(found)));
+        page.line(&format!("% modified Hamiltonian{}", fixed_values_text(found)));
         let left = notation.name(&hamiltonian.label("H")).replacen('H', "\\widetilde{H}", 1);
         let equation = breaking::equation(&left, &hamiltonian.modified(notation), PAGE_WIDTH);
         let [states, images] = states_and_images(&found.report, notation);
@@ -201,7 +204,7 @@ fn latex(found: &Discovered) -> String {
         page.display(&aligned(vec![equation, image]));
     }
     for (number, basis) in found.report.bases.iter().enumerate() {
-        page.line(&format!("% Hirota-Kimura basis {}{}", number + 1, condition(found)));
+        page.line(&format!("% Hirota-Kimura basis {}{}", number + 1, fixed_values_text(found)));
         let relation = basis.relation(&found.report.variables, notation);
         let left = relation.strip_suffix(" = 0").unwrap_or(&relation);
         page.display(&aligned(vec![breaking::equation("0", left, PAGE_WIDTH)]));

@@ -113,7 +113,7 @@ impl QuestionCommand for Dynamics {
     fn run(&self) -> Result<Answer, UsageError> {
         let (study, asked) = self.read_question()?;
         let observed = asked.ask(&study, &ProgressDisplay::of("steps"))?;
-        Ok(Answer::of(&observed, self.json, text).but(out_of_range(&observed)))
+        Ok(Answer::of(&observed, self.json, text).with_complaint(out_of_range(&observed)))
     }
 }
 

@@ -9,7 +9,7 @@ use kahan_study::{Evaluate, NoStep, Study, Unwatched};
 use serde_json::{Value, json};
 
 use super::command_line::QuestionCommand;
-use crate::printing::layout::{beside, labelled, matrix, screen_width};
+use crate::printing::layout::{beside_label, labelled, matrix, screen_width};
 use crate::printing::{Answer, UsageError, joined};
 use crate::reading::{Start, scalar};
 
@@ -50,14 +50,14 @@ impl QuestionCommand for Eval {
         let (study, asked) = self.read_question()?;
         let values = asked.ask(&study, &Unwatched)?;
         let complaint = values.no_step.map(|why| no_step(&study, &asked, why));
-        Ok(Answer::of(&json!(values), self.json, readable).but(complaint))
+        Ok(Answer::of(&json!(values), self.json, readable).with_complaint(complaint))
     }
 }
 
 fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
     let (name, place) = (study.name(), study.place(&asked.at, &asked.eps));
     match why {
-        NoStep::Unreduced => unreduced(name, &place),
+        NoStep::Unreduced => unreduced_note(name, &place),
         NoStep::Pole => format!(
             "the map of {name} has a pole at {place}: det A = 0 there, and the next point has no value"
         ),
@@ -68,7 +68,7 @@ fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
 }
 
 /// Explains that a point with det A = 0 is reported as a pole if the map is not reduced.
-pub(super) fn unreduced(name: &str, place: &str) -> String {
+pub(super) fn unreduced_note(name: &str, place: &str) -> String {
     format!(
         "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of {TERM_BUDGET} \
          terms, so it is not reduced, and it may have a value there"
@@ -94,7 +94,7 @@ fn readable(objects: &Value) -> String {
 }
 
 fn lines_of(label: &str, value: &Value) -> Vec<String> {
-    const LABELS: usize = 16;
+    const LABEL_WIDTH: usize = 16;
     let cell = |value: &Value| match value {
         Value::Null => "undefined".to_owned(),
         Value::String(text) => text.clone(),
@@ -104,12 +104,12 @@ fn lines_of(label: &str, value: &Value) -> Vec<String> {
         Value::Array(items) if items.iter().any(Value::is_array) => {
             let rows = items.iter().filter_map(Value::as_array);
             let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(cell).collect()).collect();
-            beside_or_below(label, &rows, LABELS)
+            beside_or_below(label, &rows, LABEL_WIDTH)
         }
         Value::Array(items) => {
-            labelled(label, &format!("({})", joined(items.iter().map(cell), ", ")), LABELS)
+            labelled(label, &format!("({})", joined(items.iter().map(cell), ", ")), LABEL_WIDTH)
         }
-        single => labelled(label, &cell(single), LABELS),
+        single => labelled(label, &cell(single), LABEL_WIDTH),
     }
 }
 
@@ -120,7 +120,7 @@ fn beside_or_below(label: &str, rows: &[Vec<String>], labels: usize) -> Vec<Stri
     let lines = matrix(rows, '[', ']', room);
     let fits = lines.len() == rows.len() && lines.iter().all(|line| length(line) <= room);
     if length(label) <= labels && fits {
-        return beside(label, lines, labels);
+        return beside_label(label, lines, labels);
     }
     let below = matrix(rows, '[', ']', screen_width().saturating_sub(2));
     iter::once(label.to_owned()).chain(below.iter().map(|line| format!("  {line}"))).collect()

@@ -4,7 +4,7 @@ use clap::Args;
 use kahan_judge::{BrokenPromises, Cell, CellKey, Extremes as Question, Judged, usual_subjects};
 use kahan_study::{Study, Systems};
 
-use crate::printing::layout::{headed, labelled, paragraphs, table};
+use crate::printing::layout::{labelled, paragraphs, table, with_headings};
 use crate::printing::{Answer, ProgressDisplay, UsageError, joined};
 use crate::reading::{Source, whole};
 
@@ -94,7 +94,7 @@ impl Extremes {
         let asked = Question { trials, random_fields, odd_fields, odd_trials, seed };
         let judged = asked.of(&self.studies()?, &ProgressDisplay::of("trials"));
         let judged = judged.map_err(|why| UsageError::new(why.to_string()))?;
-        Ok(Answer::of(&judged, self.json, text).but(complaint(&judged)))
+        Ok(Answer::of(&judged, self.json, text).with_complaint(complaint(&judged)))
     }
 
     fn studies(&self) -> Result<Vec<Study>, UsageError> {
@@ -108,18 +108,18 @@ impl Extremes {
     }
 }
 
-const LABELS: usize = 15;
+const LABEL_WIDTH: usize = 15;
 
 fn text(judged: &Judged) -> String {
     let headings =
         ["regime", "tier", "scalar", "trials", "largest error", "flagged", "unjustified", "silently wrong"];
-    let cells = table(&headed(headings, judged.tally.cells.iter().map(row)), 3);
-    let mut lines = labelled("systems", &judged.systems.join(", "), LABELS);
+    let cells = table(&with_headings(headings, judged.tally.cells.iter().map(row)), 3);
+    let mut lines = labelled("systems", &judged.systems.join(", "), LABEL_WIDTH);
     let removable = match judged.removable.as_slice() {
         [] => "none; their trials went to the poles".to_owned(),
         systems => systems.join(", "),
     };
-    lines.extend(labelled("removable poles", &removable, LABELS));
+    lines.extend(labelled("removable poles", &removable, LABEL_WIDTH));
     lines.extend(judged.random_fields.iter().map(|(name, equations)| format!("{name}: {equations}")));
     if judged.odd_fields > 0 {
         lines.push(format!(

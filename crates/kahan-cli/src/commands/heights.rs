@@ -9,8 +9,8 @@ use kahan_runtime::heights::{DiophantineTest, Growth, Stop};
 use kahan_study::{Heights as Question, HeightsFound, NoStep, Study, fifteen_digits};
 
 use super::command_line::QuestionCommand;
-use super::eval::unreduced;
-use crate::printing::layout::{headed, paragraphs, table};
+use super::eval::unreduced_note;
+use crate::printing::layout::{paragraphs, table, with_headings};
 use crate::printing::{Answer, OutputStream, ProgressDisplay, UsageError, csv};
 use crate::reading::{Start, seconds, whole};
 
@@ -78,7 +78,7 @@ impl QuestionCommand for Heights {
             let all = (0..found.survey.heights.len()).collect();
             sink.put(csv(&rows(&found, all, |name| format!("h_{name}"))))?;
         }
-        Ok(Answer::of(&found, self.json, |found| text(found, &asked)).but(complaint(&found)))
+        Ok(Answer::of(&found, self.json, |found| text(found, &asked)).with_complaint(complaint(&found)))
     }
 }
 
@@ -91,7 +91,7 @@ fn rows(found: &HeightsFound, steps: Vec<usize>, name: fn(&String) -> String) ->
     };
     let names = found.variables.iter().map(name);
     let headings = [vec!["n".to_owned()], names.collect(), vec!["digits".to_owned()]].concat();
-    headed(headings, steps.into_iter().map(row))
+    with_headings(headings, steps.into_iter().map(row))
 }
 
 fn text(found: &HeightsFound, asked: &Question) -> String {
@@ -129,7 +129,7 @@ fn note(found: &HeightsFound, asked: &Question) -> Option<String> {
 fn complaint(found: &HeightsFound) -> Option<String> {
     let (pole, step, name) = (found.pole?, found.steps(), &found.system);
     Some(match pole {
-        NoStep::Unreduced => unreduced(name, &format!("step {step} of the orbit")),
+        NoStep::Unreduced => unreduced_note(name, &format!("step {step} of the orbit")),
         _ => format!(
             "the orbit ends at step {step} in a pole of the map of {name}: det A = 0 there, and the next point has no value"
         ),

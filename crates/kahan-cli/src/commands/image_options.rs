@@ -10,7 +10,7 @@ use super::command_line::CommandLine;
 use crate::printing::{OutputStream, UsageError, is_table};
 use crate::reading::one_of;
 
-const SCREENS: [Theme; 3] = [Theme::Viewer, Theme::Light, Theme::Dark];
+const SCREEN_THEMES: [Theme; 3] = [Theme::Viewer, Theme::Light, Theme::Dark];
 
 fn screen(theme: Theme) -> &'static str {
     match theme {
@@ -28,7 +28,7 @@ pub(crate) struct ImageOptions {
     size: Option<(u32, u32)>,
 
     /// light, dark, or viewer (follows the viewer's setting).
-    #[arg(long, value_parser = one_of(&SCREENS, |theme| screen(theme).into()), default_value = "viewer", hide_possible_values = true)]
+    #[arg(long, value_parser = one_of(&SCREEN_THEMES, |theme| screen(theme).into()), default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 
     /// Draw for print: thin black lines on white, one text column wide.

@@ -3,7 +3,7 @@
 use clap::Args;
 use kahan_study::{Listed, Systems, list};
 
-use crate::printing::layout::{headed, table};
+use crate::printing::layout::{table, with_headings};
 use crate::printing::{Answer, UsageError};
 
 /// Lists the systems of the catalog.
@@ -37,5 +37,5 @@ fn text(listed: &Listed) -> String {
         row(one.name, arrays.join(","), &one.parameters, &one.claims, one.title)
     });
     let headings = ["name", "variables", "parameters", "claims", "title"];
-    table(&headed(headings, systems.chain(families)), 1).join("\n") + "\n"
+    table(&with_headings(headings, systems.chain(families)), 1).join("\n") + "\n"
 }

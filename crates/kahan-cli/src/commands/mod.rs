@@ -11,7 +11,7 @@ use command_line::{CommandLine, QuestionCommand};
 
 /// Declares the commands, each in a module of its name.
 ///
-/// Generates the modules, `GROUPS`, the enum `Command`, and `CommandLine::asking`.
+/// Generates the modules, `COMMAND_GROUPS`, the enum `Command`, and `CommandLine::asking`.
 macro_rules! commands {
     (|$whole:ident| $($heading:literal: $(
         $(#[$attribute:meta])* $module:ident::$command:ident
@@ -19,7 +19,7 @@ macro_rules! commands {
     ),*;)*) => {
         $($(pub(crate) mod $module;)*)*
 
-        pub(crate) const GROUPS: &[(&str, &[&str])] = &[$(($heading, &[$(stringify!($module)),*])),*];
+        pub(crate) const COMMAND_GROUPS: &[(&str, &[&str])] = &[$(($heading, &[$(stringify!($module)),*])),*];
 
         #[derive(Debug, Subcommand)]
         pub(crate) enum Command {

@@ -64,7 +64,7 @@ pub(crate) struct Orbit {
     over: Vec<String>,
 
     /// The number of steps; 0 prints the initial point only.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, MOST))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, MAX_STEPS))]
     steps: u64,
 
     #[command(flatten)]
@@ -105,7 +105,7 @@ pub(crate) struct Orbit {
     stepping: Stepping,
 
     /// Print only every K-th point: n = 0, K, 2K, ….
-    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST))]
+    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MAX_STEPS))]
     every: u64,
 
     /// Write the table to F.csv, or the states of a chain to F.npy.
@@ -128,7 +128,7 @@ pub(crate) struct Orbit {
 }
 
 /// The largest number of steps, which a table stores as an `i64`.
-const MOST: u64 = i64::MAX as u64;
+const MAX_STEPS: u64 = i64::MAX as u64;
 
 impl QuestionCommand for Orbit {
     type Question = Question;

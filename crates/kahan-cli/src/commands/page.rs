@@ -15,7 +15,7 @@ use kahan_study::{Answer as Found, Lift, ShownOrbit, Study, Systems};
 use kahan_systems::entry::Entry;
 use maud::{Markup, html};
 
-use super::atlas::Index;
+use super::atlas::IndexFile;
 use super::command_line::CommandLine;
 use crate::printing::{Answer, ProgressDisplay, UsageError, joined};
 use crate::reading::{Block, Source, StepLength, point, seconds};
@@ -67,12 +67,12 @@ pub(crate) struct Page {
 
 impl Page {
     pub(crate) fn run(&self) -> Result<Answer, UsageError> {
-        let index = Index::begin(&self.out)?;
+        let index = IndexFile::begin(&self.out)?;
         let block = self.source.required_block()?;
         let at = self.at.as_deref();
         let (source, begun) = self.with_chosen_start(&block)?;
         let read = |source: &Source| -> Result<Field, UsageError> {
-            Ok(Field { words: source.words(&begun), study: source.study_of_block(&begun, at)? })
+            Ok(Field { words: source.arguments(&begun), study: source.study_of_block(&begun, at)? })
         };
         let generic = read(&source)?;
         generic.study.proved()?;
@@ -83,7 +83,7 @@ impl Page {
         let subject =
             Subject { valued: &valued, kept: &valued, generic: &generic, variables, shown: &shown, seconds };
         let chapters = chapters(&subject, block.text());
-        let text = written(&subject, block.entry, &chapters, &self.line(&block), &index.making());
+        let text = written(&subject, block.entry, &chapters, &self.line(&block), &index.creation());
         index.put(&text, "", 2)
     }
 
@@ -94,7 +94,7 @@ impl Page {
     }
 
     fn line(&self, block: &Block) -> CommandLine {
-        let line = CommandLine::new("page", &self.source.words(block));
+        let line = CommandLine::new("page", &self.source.arguments(block));
         let line = self.step.given().into_iter().fold(line, |line, (option, text)| line.with(option, text));
         let line = line.with_some("--at", self.at.as_ref());
         line.with("--seconds", self.seconds).with("--out", self.out.display())
@@ -127,14 +127,14 @@ fn chapters(subject: &Subject<'_>, written: &str) -> Vec<Chapter> {
     let progress = ProgressDisplay::stages();
     let mut chapters = Vec::new();
     let mut chapter = |id, title, make: &dyn Fn() -> Markup| {
-        progress.say(title);
+        progress.show_stage(title);
         chapters.push(Chapter { id, title, body: make() });
     };
     if valued.lift().is_some_and(|lift| lift.order() > 0) {
         chapter("lift", "The lift", &|| subject.lift(written));
     }
     chapter("formulas", "Formulas", &|| subject.formulas());
-    progress.say("What the map preserves");
+    progress.show_stage("What the map preserves");
     let search = subject.search();
     chapter("found", "What the map preserves", &|| search.html());
     let claims_some = generic.accessors(ClaimKind::Integral).next().is_some();

@@ -15,7 +15,7 @@ use kahan_study::{
 
 use super::command_line::QuestionCommand;
 use super::image_options::{ImageOptions, OutFile, usual};
-use crate::printing::layout::{headed, paragraphs, table};
+use crate::printing::layout::{paragraphs, table, with_headings};
 use crate::printing::{Answer, ProgressDisplay, UsageError, csv, joined};
 use crate::reading::{Start, one_of, over, whole};
 
@@ -117,7 +117,7 @@ impl QuestionCommand for Periodic {
         let (study, asked) = self.read_question()?;
         let found = match asked.ask(&study, &ProgressDisplay::of("cycles")) {
             Err(why @ StudyError::NoCycle { .. }) => {
-                return Ok(Answer::text(String::new()).but(Some(why.to_string())));
+                return Ok(Answer::text(String::new()).with_complaint(Some(why.to_string())));
             }
             Err(why @ StudyError::LongCycle { .. }) => {
                 return Err(UsageError::new(format!("--period {}: {why}", self.period)));
@@ -165,7 +165,7 @@ fn text(found: &CycleFound) -> String {
     });
     let points = match found.branch {
         Some(_) => Vec::new(),
-        None => table(&headed([&"n".to_owned()].into_iter().chain(&found.variables), points), 1),
+        None => table(&with_headings([&"n".to_owned()].into_iter().chain(&found.variables), points), 1),
     };
     let exact = found.exact.iter().map(|exact| {
         let points = exact.points.iter().map(|point| format!("({})", joined(point, ", ")));
@@ -220,7 +220,7 @@ fn branch_rows(found: &CycleFound, name: &str) -> Rows {
     });
     let variables = found.variables.iter().map(String::as_str);
     let head = [name].into_iter().chain(is_of_flow.then_some(["period", "steps"]).into_iter().flatten());
-    headed(head.chain(variables).chain(["stability", "multipliers", "change"]), rows)
+    with_headings(head.chain(variables).chain(["stability", "multipliers", "change"]), rows)
 }
 
 fn points(found: &CycleFound) -> Rows {
@@ -240,7 +240,7 @@ fn points(found: &CycleFound) -> Rows {
     let head =
         names(&[name.as_str(), "n"]).into_iter().chain(found.variables.clone()).chain(names(&["stability"]));
     let head: Vec<String> = head.chain(multipliers).chain(names(&["change"])).chain(of_flow).collect();
-    headed(&head, rows)
+    with_headings(&head, rows)
 }
 
 /// Returns the cells that follow the point in a row of the branch.

@@ -35,7 +35,7 @@ use starts::{StartSpec, StartSpread};
 /// An SVG follows the light or dark setting of its viewer, and its text is legible at the width of
 /// a telephone. PNG and PDF need a build with the features `png` and `pdf`.
 #[derive(Args, Debug)]
-#[command(help_template = TEMPLATE, after_help = "\
+#[command(help_template = HELP_TEMPLATE, after_help = "\
 Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg")]
 pub(crate) struct Picture {
@@ -131,7 +131,7 @@ pub(crate) struct Picture {
 }
 
 /// The template of the help, with arguments and options in one list.
-const TEMPLATE: &str =
+const HELP_TEMPLATE: &str =
     "{about-with-newline}{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
 
 /// The kinds of pictures.

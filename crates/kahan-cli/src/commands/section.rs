@@ -128,7 +128,7 @@ impl QuestionCommand for Section {
         if self.json && self.out.is_none() {
             let found = asked.ask(&study, &ProgressDisplay::of("steps"))?;
             let complaint = complaint(&study, &found.orbits);
-            return Ok(Answer::of(&found, true, |_| String::new()).but(complaint));
+            return Ok(Answer::of(&found, true, |_| String::new()).with_complaint(complaint));
         }
         let columns: Vec<String> = asked.columns(&study)?.into_iter().map(|column| column.name).collect();
         let head = Map::from_iter([("columns".to_owned(), json!(columns))]);
@@ -142,7 +142,7 @@ impl QuestionCommand for Section {
         let orbits = asked.find(&study, &mut rows, &watch)?;
         rows.end()?;
         jumps(&asked.plane, orbits.iter().map(|one| one.jumps).sum()).iter().for_each(|note| warn(note));
-        Ok(Answer::text(String::new()).but(complaint(&study, &orbits)))
+        Ok(Answer::text(String::new()).with_complaint(complaint(&study, &orbits)))
     }
 }
 

@@ -116,13 +116,13 @@ impl QuestionCommand for Trade {
     type Question = Question;
 
     fn read_question(&self) -> Result<(Study, Question), UsageError> {
-        self.asked_of(&self.source.required_block()?)
+        self.question_of(&self.source.required_block()?)
     }
 
     fn run(&self) -> Result<Answer, UsageError> {
         let out = self.out.as_deref().map(OutFile::picture).transpose()?;
         let block = self.source.required_block()?;
-        let (study, asked) = self.asked_of(&block)?;
+        let (study, asked) = self.question_of(&block)?;
         let traded = asked.ask(&study, &ProgressDisplay::stages())?;
         if let Some(out) = out {
             out.put(
@@ -134,12 +134,12 @@ impl QuestionCommand for Trade {
             self.out.as_ref().map_or_else(String::new, |out| format!("{} written\n", out.display()));
         let call = self.orbit(&traded, &block);
         let shown = |traded: &Traded| text(traded, call.as_ref()) + &written;
-        Ok(Answer::of(&traded, self.json, shown).but(complaint(&traded)))
+        Ok(Answer::of(&traded, self.json, shown).with_complaint(complaint(&traded)))
     }
 }
 
 impl Trade {
-    fn asked_of(&self, block: &Block) -> Result<(Study, Question), UsageError> {
+    fn question_of(&self, block: &Block) -> Result<(Study, Question), UsageError> {
         let study = self.source.study_of_block(block, self.at.as_deref())?;
         // Claims are proved first, so that a false claim is reported before a missing number.
         study.proved()?;
@@ -163,7 +163,7 @@ impl Trade {
             Precision::DoubleDouble => ScalarKind::Dd,
             Precision::SingleThroughDouble => return None,
         };
-        let line = CommandLine::new("orbit", &self.source.words(block))
+        let line = CommandLine::new("orbit", &self.source.arguments(block))
             .with("--eps", format!("{:?}", setting.eps()));
         let line = line.with_some("--at", self.at.as_ref()).with("--steps", setting.steps());
         let line = line.with_some("--scalar", (scalar != ScalarKind::F64).then(|| scalar.name()));

@@ -74,7 +74,7 @@ impl QuestionCommand for Verify {
             Verified::Claims(verdicts) if is_all => verdicts.summary(page_width()),
             Verified::Claims(verdicts) => verdicts.lines(screen_width()),
         };
-        Ok(Answer::of(&verified, self.json, text).but(complaint(&verified)))
+        Ok(Answer::of(&verified, self.json, text).with_complaint(complaint(&verified)))
     }
 }
 

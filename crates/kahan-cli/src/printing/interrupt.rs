@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use tempfile::NamedTempFile;
 
-static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+static UNFINISHED_FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// An entry in the list of unfinished files. Dropping the entry removes it from the list.
 pub(super) struct UnfinishedFile(PathBuf);
@@ -17,7 +17,7 @@ pub(super) fn unfinished(
 ) -> io::Result<(NamedTempFile, UnfinishedFile)> {
     listen()?;
     // Under the lock, a signal waits until the new file is in the list.
-    let mut list = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut list = UNFINISHED_FILES.lock().unwrap_or_else(PoisonError::into_inner);
     let file = make()?;
     list.push(file.path().to_path_buf());
     let path = file.path().to_path_buf();
@@ -26,7 +26,7 @@ pub(super) fn unfinished(
 
 impl Drop for UnfinishedFile {
     fn drop(&mut self) {
-        UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).retain(|path| *path != self.0);
+        UNFINISHED_FILES.lock().unwrap_or_else(PoisonError::into_inner).retain(|path| *path != self.0);
     }
 }
 
@@ -38,15 +38,15 @@ fn listen() -> io::Result<()> {
     use signal_hook::consts::{SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
 
-    static LISTENS: AtomicBool = AtomicBool::new(false);
-    if LISTENS.swap(true, Ordering::SeqCst) {
+    static IS_LISTENING: AtomicBool = AtomicBool::new(false);
+    if IS_LISTENING.swap(true, Ordering::SeqCst) {
         return Ok(());
     }
     let mut signals = Signals::new([SIGINT, SIGTERM])?;
     std::thread::Builder::new().name("signals".to_owned()).spawn(move || {
         if let Some(signal) = signals.forever().next() {
             // The lock is held until the process ends, so that no new file is made.
-            let list = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+            let list = UNFINISHED_FILES.lock().unwrap_or_else(PoisonError::into_inner);
             for path in list.iter() {
                 // A file that was just renamed no longer exists under this name.
                 let _ = std::fs::remove_file(path);

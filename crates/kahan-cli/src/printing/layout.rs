@@ -15,7 +15,7 @@ use kahan_draw::document::Rows;
 
 const USUAL_WIDTH: usize = 80;
 /// Narrower terminals are treated as this wide.
-const NARROWEST: usize = 20;
+const LEAST_WIDTH: usize = 20;
 
 pub(crate) fn screen_width() -> usize {
     terminal_width().unwrap_or(USUAL_WIDTH)
@@ -29,7 +29,7 @@ pub(crate) fn page_width() -> usize {
 
 pub(crate) fn terminal_width() -> Option<usize> {
     let (terminal_size::Width(width), _) = terminal_size::terminal_size_of(stdout())?;
-    Some(usize::from(width).max(NARROWEST))
+    Some(usize::from(width).max(LEAST_WIDTH))
 }
 
 fn length(text: &str) -> usize {
@@ -48,7 +48,7 @@ fn total(widths: &[usize]) -> usize {
     widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
 }
 
-pub(crate) fn headed<H: ToString>(
+pub(crate) fn with_headings<H: ToString>(
     headings: impl IntoIterator<Item = H>,
     rows: impl IntoIterator<Item = Vec<String>>,
 ) -> Rows {
@@ -69,19 +69,19 @@ fn table_within(rows: &[Vec<String>], keys: usize, width: usize) -> Vec<String> 
         return rows.iter().map(|row| columns(row, &natural)).collect();
     }
     let compact = below_heading(rows);
-    let half = compact.iter().map(|&width| if width > SENTENCE { width.div_ceil(2) } else { width });
+    let half = compact.iter().map(|&width| if width > SENTENCE_WIDTH { width.div_ceil(2) } else { width });
     let half: Vec<usize> = half.collect();
-    if let Some(narrower) = squeezed(rows, &half, width) {
+    if let Some(narrower) = narrowed_widths(rows, &half, width) {
         return rows.iter().flat_map(|row| row_within(row, &narrower)).collect();
     }
-    let Some(groups) = groups(rows, &compact, keys, width) else { return records(rows, width) };
+    let Some(groups) = column_groups(rows, &compact, keys, width) else { return records(rows, width) };
     let parts = groups.into_iter().map(|group| {
         let pick = |row: &Vec<String>| -> Vec<String> {
             (0..keys).chain(group.clone()).filter_map(|column| row.get(column).cloned()).collect()
         };
         let part: Vec<Vec<String>> = rows.iter().map(pick).collect();
         let least = vec![0; part.first().map_or(0, Vec::len)];
-        let fitting = squeezed(&part, &least, width).unwrap_or_else(|| widths(&part));
+        let fitting = narrowed_widths(&part, &least, width).unwrap_or_else(|| widths(&part));
         part.iter().flat_map(|row| row_within(row, &fitting)).collect()
     });
     below_each_other(parts)
@@ -97,7 +97,7 @@ pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> Strin
 }
 
 /// Cells wider than this are taken for sentences, which may be broken.
-const SENTENCE: usize = 24;
+const SENTENCE_WIDTH: usize = 24;
 
 /// Returns the width of each column if its heading has one word on each line.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
@@ -108,7 +108,7 @@ fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
 
 /// Narrows the widest columns until the total is `width`. A column stays at least as wide as its
 /// longest word and its entry of `least`. Returns `None` if the columns stay too wide.
-fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
+fn narrowed_widths(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
     let least: Vec<usize> =
         least.iter().enumerate().map(|(k, &least)| largest(rows, k, longest_word).max(least)).collect();
@@ -121,7 +121,12 @@ fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<u
 }
 
 /// Groups the columns after the first `keys` so that each group fits; `None` if a column does not.
-fn groups(rows: &[Vec<String>], natural: &[usize], keys: usize, width: usize) -> Option<Vec<Range<usize>>> {
+fn column_groups(
+    rows: &[Vec<String>],
+    natural: &[usize],
+    keys: usize,
+    width: usize,
+) -> Option<Vec<Range<usize>>> {
     let keys_width = total(&natural[..keys.min(natural.len())]);
     let room = width.checked_sub(if keys == 0 { 0 } else { keys_width + 2 })?;
     let others = keys..natural.len();
@@ -176,10 +181,10 @@ fn labelled_within(label: &str, text: &str, room: usize, width: usize) -> Vec<St
         return iter::once(label.to_owned()).chain(below.iter().map(|line| format!("  {line}"))).collect();
     }
     let texts = if length(label) > room { vec![text.to_owned()] } else { lines(text, place) };
-    beside(label, texts, room)
+    beside_label(label, texts, room)
 }
 
-pub(crate) fn beside(label: &str, lines: Vec<String>, room: usize) -> Vec<String> {
+pub(crate) fn beside_label(label: &str, lines: Vec<String>, room: usize) -> Vec<String> {
     let labels = iter::once(label).chain(iter::repeat(""));
     labels.zip(lines).map(|(label, line)| format!("{label:<room$}  {line}").trim_end().to_owned()).collect()
 }
@@ -202,9 +207,9 @@ pub(crate) fn after_commas(line: &str, width: usize) -> String {
 
 /// Formats a matrix between `left` and `right`. A row that is too wide breaks between entries.
 pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char, width: usize) -> Vec<String> {
-    const BRACKETS: usize = 4;
+    const BRACKET_WIDTH: usize = 4;
     let widths = widths(rows);
-    let room = width.saturating_sub(BRACKETS);
+    let room = width.saturating_sub(BRACKET_WIDTH);
     let groups = side_by_side(0..widths.len(), &widths, room);
     let last = groups.len().saturating_sub(1);
     let mut lines = Vec::new();

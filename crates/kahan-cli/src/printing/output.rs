@@ -51,7 +51,7 @@ impl Answer {
     }
 
     /// Adds a possible complaint. A complaint makes the exit status 1.
-    pub(crate) fn but(self, complaint: Option<String>) -> Self {
+    pub(crate) fn with_complaint(self, complaint: Option<String>) -> Self {
         let status = u8::from(complaint.is_some());
         Answer { complaint, status, ..self }
     }

@@ -37,7 +37,7 @@ impl From<WriteError> for UsageError {
 }
 
 /// The time since the last flush after which a write flushes again.
-const PATIENCE: Duration = Duration::from_millis(100);
+const FLUSH_INTERVAL: Duration = Duration::from_millis(100);
 
 impl OutputStream {
     pub(crate) fn standard() -> Self {
@@ -90,7 +90,7 @@ impl OutputStream {
         let written = match &mut self.0 {
             Destination::File { writer, .. } => writer.write_all(content.as_ref()),
             Destination::Standard { writer, flushed } => writer.write_all(content.as_ref()).and_then(|()| {
-                if flushed.elapsed() >= PATIENCE {
+                if flushed.elapsed() >= FLUSH_INTERVAL {
                     writer.flush()?;
                     *flushed = Instant::now();
                 }

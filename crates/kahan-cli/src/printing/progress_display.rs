@@ -59,11 +59,11 @@ impl ProgressDisplay {
         self.end.is_some_and(|end| Instant::now() >= end)
     }
 
-    pub(crate) fn say(&self, stage: &str) {
+    pub(crate) fn show_stage(&self, stage: &str) {
         self.bar.set_message(stage.to_owned());
     }
 
-    pub(crate) fn done(&self, steps: u64) {
+    pub(crate) fn show_steps(&self, steps: u64) {
         let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
         self.bar.set_position(done);
     }
@@ -94,7 +94,7 @@ impl Watch for ProgressDisplay {
                 self.bar.set_position(done + progress.done);
             }
             (Some(_), None) => {}
-            (None, _) => self.say(&progress.to_string()),
+            (None, _) => self.show_stage(&progress.to_string()),
         }
         ControlFlow::Continue(())
     }

@@ -19,11 +19,11 @@ use crate::printing::{UsageError, joined};
 
 thread_local! {
     /// The last block that was read, because a command reads its field twice.
-    static LAST: RefCell<Option<Block>> = const { RefCell::new(None) };
+    static LAST_BLOCK: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
 /// File extensions of models that only the Python package reads.
-const MODELS: [&str; 3] = ["xml", "sbml", "ant"];
+const MODEL_EXTENSIONS: [&str; 3] = ["xml", "sbml", "ant"];
 
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
@@ -62,10 +62,12 @@ impl Block {
     pub(super) fn within(text: String, body: Range<usize>, origin: String) -> Self {
         let is_rust = body != (0..text.len());
         let block = Block { entry: None, text: FieldText::part(text, body, origin), is_rust };
-        if let Some(last) = LAST.take().filter(|last| last.text == block.text && last.is_rust == is_rust) {
+        if let Some(last) =
+            LAST_BLOCK.take().filter(|last| last.text == block.text && last.is_rust == is_rust)
+        {
             return last;
         }
-        LAST.set(Some(block.clone()));
+        LAST_BLOCK.set(Some(block.clone()));
         block
     }
 
@@ -92,7 +94,7 @@ impl Block {
     }
 
     /// Returns the text with initial values, once as given, once in the language of `kahan!`.
-    pub(crate) fn beginning_at(&self, states: &[String], start: &[Rational]) -> [String; 2] {
+    pub(crate) fn with_start(&self, states: &[String], start: &[Rational]) -> [String; 2] {
         let values = self.text.parameters().iter().map(|(name, value)| format!("{name} = {value}; "));
         let first = states.iter().zip(start).map(|(state, value)| format!("{state}(0) = {value};"));
         let first = joined(first, " ");
@@ -143,7 +145,7 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), UsageError> {
     let is_of_system = |error: &io::Error| error.kind() != io::ErrorKind::InvalidData;
     Err(UsageError::new(match read {
         Err(error) if is_of_system(&error) => format!("cannot read {what}{origin}: {error}"),
-        _ if MODELS.iter().any(|model| ending.eq_ignore_ascii_case(model)) => format!(
+        _ if MODEL_EXTENSIONS.iter().any(|model| ending.eq_ignore_ascii_case(model)) => format!(
             "{origin} is a model that Python reads: kahan.read(\"{origin}\"); its `source` is a text for --file"
         ),
         Err(_) => format!(

@@ -19,7 +19,7 @@ type Files = BTreeMap<String, Vec<u8>>;
 type States = [Option<usize>; 2];
 
 /// An array with its entries as (row, column, value). Each row is a component of the field.
-struct Part {
+struct ArrayPart {
     name: &'static str,
     sizes: Vec<usize>,
     entries: Vec<(usize, usize, f64)>,
@@ -27,7 +27,7 @@ struct Part {
 
 pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     let mut files = files(bytes).map_err(|error| format!("is no file of np.savez: {error}"))?;
-    let parts: Vec<Part> = ["c", "B", "Q"]
+    let parts: Vec<ArrayPart> = ["c", "B", "Q"]
         .into_iter()
         .filter_map(|name| part(&mut files, name).transpose())
         .collect::<Result<_, _>>()?;
@@ -35,7 +35,7 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     let n = n.ok_or_else(|| {
         files.retain(|name, _| name != "names" && name != "order");
         let lacks = "lacks arrays c, B and Q, or has an empty one";
-        if files.is_empty() { lacks.to_owned() } else { others(&files) }
+        if files.is_empty() { lacks.to_owned() } else { other_files(&files) }
     })?;
     let [names, order] = ["names", "order"].map(|name| {
         let file = files.remove(name);
@@ -55,14 +55,14 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
         }
     };
     if !files.is_empty() {
-        return Err(others(&files));
+        return Err(other_files(&files));
     }
     let triangle: Vec<States> = match is_lower {
         true => (0..n).flat_map(|j| (0..=j).map(move |k| [Some(j), Some(k)])).collect(),
         false => (0..n).flat_map(|j| (j..n).map(move |k| [Some(j), Some(k)])).collect(),
     };
     let mut field = Coefficients::new(names, Vec::new()).map_err(|mistakes| wrong_names(&mistakes))?;
-    for Part { name, sizes, entries } in parts {
+    for ArrayPart { name, sizes, entries } in parts {
         let states: &dyn Fn(usize) -> States = match (name, &sizes[..]) {
             ("c", [m]) if *m == n => &|_| [None, None],
             ("B", [m, k]) if [*m, *k] == [n, n] => &|column| [Some(column), None],
@@ -91,7 +91,7 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     Ok(field)
 }
 
-fn others(files: &Files) -> String {
+fn other_files(files: &Files) -> String {
     let what = if files.len() == 1 { "an array" } else { "arrays" };
     let names = joined(files.keys().map(|name| format!("`{name}`")), ", ");
     format!(
@@ -105,7 +105,7 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
 }
 
 /// Takes an array from the files: a dense one from one file, a sparse one from three.
-fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
+fn part(files: &mut Files, name: &'static str) -> Result<Option<ArrayPart>, String> {
     let mut numbers = |name: &str| {
         let read = |file: Vec<u8>| {
             Numbers::of(".npy", &file).map_err(|why| format!("has an array {name}, and {why}"))
@@ -115,7 +115,7 @@ fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
     if let Some(Numbers { sizes, values, .. }) = numbers(name)? {
         let width = values.len() / sizes.first().map_or(1, |rows| (*rows).max(1));
         let entries = values.into_iter().enumerate().map(|(at, value)| (at / width, at % width, value));
-        return Ok(Some(Part { name, entries: entries.collect(), sizes }));
+        return Ok(Some(ArrayPart { name, entries: entries.collect(), sizes }));
     }
     let [data, indices, ends] = ["data", "indices", "indptr"].map(|of| numbers(&format!("{name}_{of}")));
     let (data, indices, ends) = match (data?, indices?, ends?) {
@@ -140,7 +140,7 @@ fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
     let row = |at: usize| ends.partition_point(|end| *end <= at as f64) - 1;
     let entries = data.into_iter().zip(indices).enumerate();
     let entries = entries.map(|(at, (value, index))| (row(at), index as usize, value)).collect();
-    Ok(Some(Part { name, sizes: vec![n, width], entries }))
+    Ok(Some(ArrayPart { name, sizes: vec![n, width], entries }))
 }
 
 fn files(bytes: &[u8]) -> Result<Files, Box<dyn std::error::Error>> {

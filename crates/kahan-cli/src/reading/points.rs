@@ -41,7 +41,7 @@ pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational
 
 /// Returns the only point of `--at`. Without `--at`, returns the point in the text of the field.
 pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, UsageError> {
-    only(points(at, study)?, at)
+    single_point(points(at, study)?, at)
 }
 
 /// Reads the first point of `--at`, and the names of its coordinates if a file has them.
@@ -60,7 +60,10 @@ pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     Some((first.split(',').map(|part| number(part, "--at").ok()).collect::<Option<_>>()?, Vec::new()))
 }
 
-pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<Vec<Rational>, UsageError> {
+pub(super) fn single_point(
+    mut points: Vec<Vec<Rational>>,
+    at: Option<&str>,
+) -> Result<Vec<Rational>, UsageError> {
     match (points.pop(), points.len()) {
         (Some(point), 0) => Ok(point),
         (_, others) => Err(UsageError::new(format!(

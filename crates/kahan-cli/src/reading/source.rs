@@ -65,7 +65,7 @@ pub(crate) struct Source {
     /// automatic. Without WHICH, a mechanical system gets the lift whose map preserves an energy.
     /// Other fields get a lift whose relations the map preserves exactly, or else one whose
     /// relations have errors that do not grow along the orbit.
-    #[arg(long, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "automatic", hide_possible_values = true, value_parser = which())]
+    #[arg(long, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "automatic", hide_possible_values = true, value_parser = criterion_parser())]
     pub(super) lift: Option<LiftCriterion>,
 
     /// With --lift: show the new variables as well.
@@ -77,7 +77,7 @@ pub(crate) struct Source {
     t0: Option<String>,
 }
 
-fn which() -> impl TypedValueParser<Value = LiftCriterion> {
+fn criterion_parser() -> impl TypedValueParser<Value = LiftCriterion> {
     one_of(&LiftCriterion::ALL, |which| PossibleValue::new(which.name()).help(which.meaning()))
 }
 
@@ -162,7 +162,7 @@ impl Source {
     }
 
     /// Returns the arguments that name this source. For standard input, they contain its text.
-    pub(crate) fn words(&self, block: &Block) -> Vec<String> {
+    pub(crate) fn arguments(&self, block: &Block) -> Vec<String> {
         let is_input = self.is_input();
         let field = self.field.clone().or_else(|| is_input.then(|| block.text().trim().to_owned()));
         let file = self.file.as_ref().filter(|_| !is_input);

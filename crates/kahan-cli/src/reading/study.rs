@@ -4,7 +4,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
-use super::points::{first_point, only, points};
+use super::points::{first_point, points, single_point};
 use super::source::{Source, Start};
 use crate::printing::{UsageError, warn};
 
@@ -64,7 +64,7 @@ type Points = Vec<Vec<Rational>>;
 impl Start {
     pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), UsageError> {
         let (study, starts, eps) = self.starts()?;
-        Ok((study, only(starts, self.at.as_deref())?, eps))
+        Ok((study, single_point(starts, self.at.as_deref())?, eps))
     }
 
     pub(crate) fn starts(&self) -> Result<(Study, Points, Rational), UsageError> {
@@ -80,7 +80,7 @@ impl Start {
         axes: &[Axis],
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), UsageError> {
         let (study, starts, eps) = self.starts_over(axes)?;
-        Ok((study, only(starts, self.at.as_deref())?, eps))
+        Ok((study, single_point(starts, self.at.as_deref())?, eps))
     }
 
     /// Returns the field, all starts, and ε. Refuses values of quantities on the `axes`.

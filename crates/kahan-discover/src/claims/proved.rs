@@ -25,7 +25,7 @@ use crate::poisson::brackets::Bracket;
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 10_000_000;
 
-const DENSITY: &str = "rho";
+const DENSITY_NAME: &str = "rho";
 
 /// A proved claim.
 #[derive(Clone, Debug)]
@@ -111,7 +111,7 @@ impl<'a> Claims<'a> {
                 || name == "eps"
                 || self.system.constants.iter().any(|(known, _)| known == name)
                 || self.system.claims.iter().any(|claim| claim.name.text == *name)
-                    && !(stem == DENSITY && self.own_density() == Some(name.as_str()))
+                    && !(stem == DENSITY_NAME && self.own_density() == Some(name.as_str()))
         };
         while is_taken(&name) {
             name.push('_');
@@ -190,7 +190,7 @@ impl<'a> Claims<'a> {
         };
         let (above, below) = (side(1), side(-1));
         let value = unsigned(quotient(symbols, &above, &below, by));
-        let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
+        let text = format!("density {} = {value}{};", self.name(DENSITY_NAME, index), self.condition);
         let product =
             |side: &[Polynomial]| side.iter().fold(Polynomial::one(), |product, factor| &product * factor);
         let claim = self.proved(&[], &text)?;

@@ -14,7 +14,9 @@ use crate::maps::search_field::SearchField;
 use crate::modular::matrix::sampled_null_vectors;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
-use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, tidy};
+use crate::modular::subspace::{
+    Form, FormulaVariables, PolynomialSpace, primitive_in_states, reconstruct_space,
+};
 use crate::report::DensitySearch;
 
 const MOST_SAMPLES: usize = 16;
@@ -138,8 +140,9 @@ fn reconstructed(
         PolynomialSpace::of_form(&modulus, &form, vectors)
     };
     let symbols = searched.family().symbols();
-    let polynomials = reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)?;
-    Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), -1)], degree })
+    let polynomials =
+        reconstruct_space(&FormulaVariables::of(searched), &monomials, &form, at, random, deadline)?;
+    Some(Measure { factors: vec![(primitive_in_states(symbols, &polynomials[row]), -1)], degree })
 }
 
 #[cfg(test)]

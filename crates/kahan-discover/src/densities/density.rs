@@ -13,7 +13,7 @@ use crate::densities::darboux::measure;
 use crate::densities::determinant::determinant;
 use crate::maps::search_field::SearchField;
 use crate::modular::monomials::Monomials;
-use crate::modular::subspace::tidy;
+use crate::modular::subspace::primitive_in_states;
 use crate::poisson::brackets::PoissonTensor;
 use crate::report::DensitySearch;
 
@@ -35,7 +35,7 @@ pub(crate) fn pfaffian_density(
     integrals: &[Formula],
 ) -> Option<Formula> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
-    let pfaffian = tidy(symbols, &tensor.pfaffian(symbols.dimension(), &mut budget)?);
+    let pfaffian = primitive_in_states(symbols, &tensor.pfaffian(symbols.dimension(), &mut budget)?);
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
@@ -95,5 +95,5 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
 fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
     let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);
-    Some(tidy(&field.symbols, &fixed)).filter(|fixed| !fixed.is_zero())
+    Some(primitive_in_states(&field.symbols, &fixed)).filter(|fixed| !fixed.is_zero())
 }

@@ -22,23 +22,23 @@ use kahan_algebra::system::Claim;
 use crate::claims::proved::{Claims, Formula};
 use crate::claims::writing::quotient;
 use crate::deadline::Deadline;
-use crate::integrals::independence::Independent;
+use crate::integrals::independence::IndependentGradients;
 use crate::integrals::search::quotient_gradients;
 use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::reconstruct;
-use crate::modular::subspace::{Form, PolynomialSpace, combination, tidy};
+use crate::modular::subspace::{Form, PolynomialSpace, combination, primitive_in_states};
 
 use cofactors::Cofactors;
-use normal::{Next, carried};
+use normal::{NextValue, drifts_of};
 use spaces::{InvariantSpace, Points};
 use triangular::TriangularSystem;
 
-pub(crate) const SHARE: f64 = 0.03;
+pub(crate) const TIME_SHARE: f64 = 0.03;
 
-const HIGHEST: u32 = 4;
+const HIGHEST_DEGREE: u32 = 4;
 
 const MOST_PRODUCTS: usize = 20_000_000;
 
@@ -109,7 +109,7 @@ pub(crate) fn drifts(
 ) -> Vec<Drift> {
     let mut search = || {
         let cofactors = Cofactors::of(field, searched)?;
-        let known = Independent::of(searched, integrals, random);
+        let known = IndependentGradients::of(searched, integrals, random);
         let SampledStep { sample, here, .. } = known.step()?.clone();
         let names = integrals.iter().map(|formula| formula.name().to_owned());
         let names = names.chain((1..=searched.dimension()).map(|index| claims.name("F", Some(index))));
@@ -131,7 +131,7 @@ pub(crate) fn drifts(
             search.triangle.take_integral(formula);
         }
         let mut products = 0;
-        for degree in 1..=HIGHEST {
+        for degree in 1..=HIGHEST_DEGREE {
             let monomials = Monomials::new(searched.dimension(), degree);
             let all = search.cofactors.of_degree(degree);
             products += all.len() * (2 * monomials.len()).pow(3);
@@ -171,7 +171,7 @@ pub(crate) fn independent(
     integrals: &[Formula],
     random: &mut SplitMix64,
 ) -> Vec<Drift> {
-    let mut known = Independent::of(searched, integrals, random);
+    let mut known = IndependentGradients::of(searched, integrals, random);
     let is_news = |drift: &Drift| {
         let is_named = |old: &&Formula| match &drift.kind {
             DriftKind::Link(names) => names.iter().any(|name| old.name() == name),
@@ -195,7 +195,7 @@ struct Search<'a> {
     cofactors: Cofactors,
     sample: Sample,
     here: Vec<u64>,
-    known: Independent<'a>,
+    known: IndependentGradients<'a>,
     triangle: TriangularSystem,
     deadline: &'a Deadline<'a>,
     tell: &'a dyn Fn(&Claim, &str),
@@ -261,11 +261,11 @@ impl Search<'_> {
         let element = |vector: &Vec<RationalFunction>| {
             let (numerators, common) = RationalFunction::over_common(&normal::image(vector, &rows));
             let whole = combination(&states, monomials, &form.support, &numerators);
-            let short = tidy(symbols, &whole);
+            let short = primitive_in_states(symbols, &whole);
             Some((short.clone(), RationalFunction::new(common, whole.checked_div(&short)?)?))
         };
         let mut candidates = Vec::new();
-        for carried in carried(&matrix, symbols.state(0)) {
+        for carried in drifts_of(&matrix, symbols.state(0)) {
             let ((above, scale_above), (below, scale_below)) =
                 (element(&carried.above)?, element(&carried.below)?);
             let next = carried.next.scaled(&scale_above.checked_div(&scale_below)?)?;
@@ -276,7 +276,7 @@ impl Search<'_> {
                 _ => (above, below, next),
             });
         }
-        let key = |(above, below, next): &(Polynomial, Polynomial, Next)| {
+        let key = |(above, below, next): &(Polynomial, Polynomial, NextValue)| {
             (next.rank(), symbols.degree(above) + symbols.degree(below), above.len() + below.len())
         };
         candidates.sort_by_key(key);
@@ -292,7 +292,7 @@ impl Search<'_> {
         self.claims.name("F", Some(self.found.len() + 1))
     }
 
-    fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
+    fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &NextValue) {
         let name = self.name();
         let value = quotient(self.searched.family().symbols(), from_ref(above), from_ref(below), &[]);
         let Some((drift, image, kind, text)) = self.triangle.written(&name, next) else { return };

@@ -21,7 +21,7 @@ const MOST_WORK: u64 = 4_000_000;
 
 /// The value of F = P_w/P_v at the next point.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Next {
+pub(super) enum NextValue {
     /// The sum F + c with this c.
     Sum(RationalFunction),
     /// The multiple c·F with this c.
@@ -30,46 +30,46 @@ pub(super) enum Next {
     Image([RationalFunction; 4]),
 }
 
-impl Next {
+impl NextValue {
     pub(super) fn rank(&self) -> u8 {
         match self {
-            Next::Sum(_) => 0,
-            Next::Multiple(_) => 1,
-            Next::Image(_) => 2,
+            NextValue::Sum(_) => 0,
+            NextValue::Multiple(_) => 1,
+            NextValue::Image(_) => 2,
         }
     }
 
     pub(super) fn of(&self, function: &RationalFunction) -> Option<RationalFunction> {
         match self {
-            Next::Sum(step) => Some(function + step),
-            Next::Multiple(factor) => Some(function * factor),
-            Next::Image([a, b, c, d]) => (&(a * function) + b).checked_div(&(&(c * function) + d)),
+            NextValue::Sum(step) => Some(function + step),
+            NextValue::Multiple(factor) => Some(function * factor),
+            NextValue::Image([a, b, c, d]) => (&(a * function) + b).checked_div(&(&(c * function) + d)),
         }
     }
 
-    pub(super) fn mapped(&self, to: impl Fn(&RationalFunction) -> RationalFunction) -> Next {
+    pub(super) fn mapped(&self, to: impl Fn(&RationalFunction) -> RationalFunction) -> NextValue {
         match self {
-            Next::Sum(step) => Next::Sum(to(step)),
-            Next::Multiple(factor) => Next::Multiple(to(factor)),
-            Next::Image(entries) => Next::Image(entries.each_ref().map(to)),
+            NextValue::Sum(step) => NextValue::Sum(to(step)),
+            NextValue::Multiple(factor) => NextValue::Multiple(to(factor)),
+            NextValue::Image(entries) => NextValue::Image(entries.each_ref().map(to)),
         }
     }
 
     /// Returns the next value of s·F, as a function of s·F.
-    pub(super) fn scaled(self, scale: &RationalFunction) -> Option<Next> {
+    pub(super) fn scaled(self, scale: &RationalFunction) -> Option<NextValue> {
         Some(match self {
-            Next::Sum(step) => Next::Sum(&step * scale),
-            Next::Multiple(_) => self,
-            Next::Image([a, b, c, d]) => Next::Image([a, &b * scale, c.checked_div(scale)?, d]),
+            NextValue::Sum(step) => NextValue::Sum(&step * scale),
+            NextValue::Multiple(_) => self,
+            NextValue::Image([a, b, c, d]) => NextValue::Image([a, &b * scale, c.checked_div(scale)?, d]),
         })
     }
 
     /// Returns the next value of 1/F, as a function of 1/F.
-    pub(super) fn of_reciprocal(&self) -> Option<Next> {
+    pub(super) fn of_reciprocal(&self) -> Option<NextValue> {
         match self {
-            Next::Sum(_) => None,
-            Next::Multiple(factor) => Some(Next::Multiple(factor.recip()?)),
-            Next::Image([a, b, c, d]) => Some(Next::Image([d, c, b, a].map(Clone::clone))),
+            NextValue::Sum(_) => None,
+            NextValue::Multiple(factor) => Some(NextValue::Multiple(factor.recip()?)),
+            NextValue::Image([a, b, c, d]) => Some(NextValue::Image([d, c, b, a].map(Clone::clone))),
         }
     }
 }
@@ -78,11 +78,11 @@ impl Next {
 pub(super) struct FunctionWithNext {
     pub(super) above: Vector,
     pub(super) below: Vector,
-    pub(super) next: Next,
+    pub(super) next: NextValue,
 }
 
 /// Returns all drifts in the module's table. The variable `free` must not occur in M.
-pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
+pub(super) fn drifts_of(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
     let characteristic = characteristic(matrix, free);
@@ -100,7 +100,7 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> 
                 for above in left_null_space(&product(&difference, &difference)) {
                     let below = image(&above, &difference);
                     if below.iter().any(|entry| !entry.is_zero()) {
-                        sums.push(FunctionWithNext { above, below, next: Next::Sum(step.clone()) });
+                        sums.push(FunctionWithNext { above, below, next: NextValue::Sum(step.clone()) });
                     }
                 }
                 for (other, below) in &eigenvectors {
@@ -108,7 +108,7 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> 
                     multiples.extend(own.iter().map(|above| FunctionWithNext {
                         above: above.clone(),
                         below: below.clone(),
-                        next: Next::Multiple(quotient.clone()),
+                        next: NextValue::Multiple(quotient.clone()),
                     }));
                 }
                 eigenvectors.extend(own.into_iter().map(|vector| (value.clone(), vector)));
@@ -138,7 +138,7 @@ fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<FunctionW
     let (first, second) = (place(above, below)?, place(below, above)?);
     let [of_above, of_below] = [above, below].map(|vector| image(vector, matrix));
     let next = [&of_above[first], &of_above[second], &of_below[first], &of_below[second]].map(Clone::clone);
-    Some(FunctionWithNext { above: above.clone(), below: below.clone(), next: Next::Image(next) })
+    Some(FunctionWithNext { above: above.clone(), below: below.clone(), next: NextValue::Image(next) })
 }
 
 /// Returns det(λ − M) times a factor without λ, by the algorithm of Faddeev and LeVerrier.
@@ -231,7 +231,7 @@ mod tests {
             &[0, 0, 0, 1, 2],
             &[0, 0, 0, -2, 1],
         ]);
-        let found = carried(&of, Variable(0));
+        let found = drifts_of(&of, Variable(0));
         let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
         assert_eq!(kinds.len(), 3);
         for FunctionWithNext { above, below, next } in found {

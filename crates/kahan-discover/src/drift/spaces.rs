@@ -5,7 +5,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use crate::deadline::Deadline;
 use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SearchField};
-use crate::modular::matrix::{Echelon, SPARE};
+use crate::modular::matrix::{Echelon, SPARE_EQUATIONS};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::Form;
@@ -34,7 +34,7 @@ impl Points {
         let map = &sample.map;
         let modulus = *map.modulus();
         let mut values = Vec::new();
-        while values.len() < 2 * monomials.len() + SPARE {
+        while values.len() < 2 * monomials.len() + SPARE_EQUATIONS {
             let point = map.point(random);
             let next = map.next(&point)?;
             let denominator = searched.evaluate(cofactors.denominator(), sample, &point)?;

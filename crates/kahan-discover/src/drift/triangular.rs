@@ -14,14 +14,14 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 use crate::claims::proved::Formula;
 use crate::claims::writing::{is_product, quotient};
 
-use super::normal::Next;
+use super::normal::NextValue;
 use super::{Constant, DriftKind};
 
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 200_000;
 
 /// The exponents k to try in products w·F^k of a state w and an earlier drift F.
-const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
+const TRIED_POWERS: [i32; 5] = [0, 1, -1, 2, -2];
 
 pub(super) struct TriangularSystem {
     /// The names of the states, followed by the names of drifts and integrals.
@@ -62,15 +62,15 @@ impl TriangularSystem {
     pub(super) fn written(
         &self,
         name: &str,
-        next: &Next,
+        next: &NextValue,
     ) -> Option<(RationalFunction, RationalFunction, DriftKind, String)> {
         let drift = RationalFunction::variable(self.variable(name)?);
         let next = next.mapped(|constant| self.moved(constant));
         let image = next.of(&drift)?;
         let (kind, text) = match &next {
-            Next::Sum(step) => (DriftKind::Sum(self.constant(step)), self.sum(name.to_owned(), step)),
-            Next::Multiple(factor) => (DriftKind::Multiple(self.constant(factor)), self.text(&image)),
-            Next::Image(_) => (DriftKind::Image, self.text(&image)),
+            NextValue::Sum(step) => (DriftKind::Sum(self.constant(step)), self.sum(name.to_owned(), step)),
+            NextValue::Multiple(factor) => (DriftKind::Multiple(self.constant(factor)), self.text(&image)),
+            NextValue::Image(_) => (DriftKind::Image, self.text(&image)),
         };
         Some((drift, image, kind, text))
     }
@@ -184,10 +184,11 @@ impl TriangularSystem {
             let value_text = self.text(&value);
             Some(DriftCandidate { state, value, value_text, next_text, next, solved })
         };
-        let others =
-            POWERS[1..].iter().flat_map(|&power| self.steps.iter().map(move |step| (power, Some(step))));
+        let others = TRIED_POWERS[1..]
+            .iter()
+            .flat_map(|&power| self.steps.iter().map(move |step| (power, Some(step))));
         let links =
-            [(POWERS[0], None)].into_iter().chain(others).filter_map(|(power, step)| link(power, step));
+            [(TRIED_POWERS[0], None)].into_iter().chain(others).filter_map(|(power, step)| link(power, step));
         links.min_by_key(|link| link.value_text.len() + link.next_text.len())
     }
 

@@ -7,34 +7,34 @@ use kahan_algebra::rational::Rational;
 
 use crate::claims::proved::{Claims, Formula};
 use crate::claims::writing::{factors_of, quotient};
-use crate::integrals::independence::{Independent, quotient_gradient};
+use crate::integrals::independence::{IndependentGradients, quotient_gradient};
 use crate::integrals::limit::with_a_limit;
 use crate::integrals::members::special_members;
 use crate::integrals::reduction::reduced;
 use crate::maps::affine_subspace::AffineSubspace;
 use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
-use crate::modular::subspace::tidy;
+use crate::modular::subspace::primitive_in_states;
 
 /// Known integrals are accepted at the latest when a search has more unknowns than this.
 const MOST_AHEAD: usize = 150;
 
 /// Integrals P/Q of at most this length are not simplified.
-const SHORT: usize = 60;
+const SHORT_INTEGRAL: usize = 60;
 
-pub(crate) struct Accepted<'a> {
+pub(crate) struct AcceptedIntegrals<'a> {
     pub(crate) searched: &'a SearchField,
     pub(crate) claims: &'a Claims<'a>,
     pub(crate) wanted: usize,
     pub(crate) known: &'a [(Polynomial, Polynomial)],
     pub(crate) further: &'a [(Polynomial, Polynomial)],
     pub(crate) step: Option<SampledStep>,
-    pub(crate) independent: Independent<'a>,
+    pub(crate) independent: IndependentGradients<'a>,
     pub(crate) tell: &'a dyn Fn(&Formula),
     pub(crate) formulas: Vec<Formula>,
 }
 
-impl Accepted<'_> {
+impl AcceptedIntegrals<'_> {
     pub(crate) fn is_done(&self) -> bool {
         self.formulas.len() >= self.wanted
     }
@@ -77,7 +77,8 @@ impl Accepted<'_> {
         if self.is_done() || !self.independent.admits(&numerator, &denominator) {
             return;
         }
-        let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
+        let (numerator, denominator) =
+            (primitive_in_states(symbols, &numerator), primitive_in_states(symbols, &denominator));
         let (numerator, denominator) = self.simplified(numerator, denominator);
         let numerator = with_a_limit(symbols, numerator, &denominator);
         let index = self.formulas.len() + 1;
@@ -105,7 +106,7 @@ impl Accepted<'_> {
         let len = |member: &Polynomial| quotient(symbols, from_ref(member), &[], by).len();
         let lens = [numerator, denominator].map(len);
         let special = match lens.iter().sum::<usize>() {
-            0..=SHORT => Vec::new(),
+            0..=SHORT_INTEGRAL => Vec::new(),
             _ => special_members(self.searched, numerator, denominator),
         };
         if special.is_empty() {

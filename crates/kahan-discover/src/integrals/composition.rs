@@ -25,12 +25,12 @@ pub struct CompositionIntegrals {
     pub quotients: Vec<(usize, usize)>,
 }
 
-struct Composed {
+struct ComposedMap {
     outer: ModularMap,
     inner: ModularMap,
 }
 
-impl ModularStep for Composed {
+impl ModularStep for ComposedMap {
     fn modulus(&self) -> &Modulus {
         self.outer.modulus()
     }
@@ -61,7 +61,7 @@ pub fn survivors(
     let parameters = &sample.unknowns[..searched.family().symbols().parameters.len()];
     let scaled = |factor: u64| searched.family().at(modulus, parameters, modulus.times(factor, eps));
     let (outer, inner) = (modulus.sample(random), modulus.sample(random));
-    let composed = Composed { outer: scaled(outer)?, inner: scaled(inner)? };
+    let composed = ComposedMap { outer: scaled(outer)?, inner: scaled(inner)? };
     let monomials = Monomials::new(searched.dimension(), degree);
     let relations = random_relations(&composed, &monomials, random, deadline)?;
     let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);

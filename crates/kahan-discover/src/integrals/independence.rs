@@ -34,16 +34,16 @@ pub fn quotient_gradient(
 /// The gradients of accepted functions at a random point modulo a prime. Gradients that are
 /// independent modulo a prime are independent over ℚ.
 #[derive(Debug)]
-pub struct Independent<'a> {
+pub struct IndependentGradients<'a> {
     searched: &'a SearchField,
     step: Option<SampledStep>,
     gradients: Vec<Vec<u64>>,
 }
 
-impl<'a> Independent<'a> {
+impl<'a> IndependentGradients<'a> {
     /// Chooses a random point, and starts without accepted functions.
     pub fn new(searched: &'a SearchField, random: &mut SplitMix64) -> Self {
-        Independent { searched, step: searched.step(random), gradients: Vec::new() }
+        IndependentGradients { searched, step: searched.step(random), gradients: Vec::new() }
     }
 
     pub(crate) fn of(searched: &'a SearchField, known: &[Formula], random: &mut SplitMix64) -> Self {

@@ -5,7 +5,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
-use crate::modular::subspace::tidy;
+use crate::modular::subspace::primitive_in_states;
 
 const LIMIT_WORK: u64 = 2_000_000;
 
@@ -29,7 +29,7 @@ pub(crate) fn with_a_limit(
         if rest.is_zero() {
             break;
         }
-        numerator = tidy(symbols, &rest);
+        numerator = primitive_in_states(symbols, &rest);
     }
     numerator
 }

@@ -18,7 +18,9 @@ use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::Oracle;
-use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, tidy};
+use crate::modular::subspace::{
+    Form, FormulaVariables, PolynomialSpace, primitive_in_states, reconstruct_space,
+};
 
 /// The most multiplications modulo a prime in one search.
 const MOST_WORK: u64 = 100_000_000;
@@ -26,7 +28,7 @@ const MOST_WORK: u64 = 100_000_000;
 const WORK_OF_LOOK: u64 = 50_000;
 
 /// The number of parameter samples at which special elements are counted.
-const LOOKS: usize = 4;
+const PARAMETER_SAMPLES: usize = 4;
 
 /// Finds the special elements whose coefficients are rational functions of the parameters and ε.
 /// Elements that are too expensive to reconstruct are missing.
@@ -94,8 +96,8 @@ pub(crate) fn members(
         };
         let random = &mut SplitMix64::new(60);
         let far = Deadline::never();
-        let member = reconstruct_space(&Names::of(searched), monomials, &form, at, random, &far);
-        for member in member.unwrap_or_default().iter().map(|member| tidy(symbols, member)) {
+        let member = reconstruct_space(&FormulaVariables::of(searched), monomials, &form, at, random, &far);
+        for member in member.unwrap_or_default().iter().map(|member| primitive_in_states(symbols, member)) {
             if !found.contains(&member) {
                 found.push(member);
             }
@@ -106,7 +108,7 @@ pub(crate) fn members(
             let mut other = values.to_vec();
             *other.last_mut()? = modulus.sample(random);
             let (here, there) = (pair(modulus, values, random)?, pair(modulus, &other, random)?);
-            common(&modulus, &here, &there)
+            common_element(&modulus, &here, &there)
         };
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
         if let Some(member) = free(modulus, &values, random) {
@@ -115,17 +117,17 @@ pub(crate) fn members(
         }
     }
     let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
-        special(&modulus, monomials, &pair(modulus, values, random)?, random)
+        special_elements(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
     // Counts the elements of each kind at each sample. Elements with irrational c may be missing.
     let mut kinds: Vec<(MemberProperties, Vec<usize>)> = Vec::new();
-    for look in 0..LOOKS {
+    for look in 0..PARAMETER_SAMPLES {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
         for (kind, _) in at(modulus, &values, random).unwrap_or_default() {
             match kinds.iter_mut().find(|(known, _)| *known == kind) {
                 Some((_, counts)) => counts[look] += 1,
                 None => {
-                    let mut counts = vec![0; LOOKS];
+                    let mut counts = vec![0; PARAMETER_SAMPLES];
                     counts[look] = 1;
                     kinds.push((kind, counts));
                 }
@@ -144,7 +146,7 @@ pub(crate) fn members(
 }
 
 /// Returns the polynomial in the spans of both pairs, if the spans intersect in a line.
-fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
+fn common_element(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
     let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
     let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
     let [vector] = &null[..] else { return None };
@@ -164,7 +166,7 @@ struct MemberProperties {
 }
 
 /// Returns the elements P + cQ at one sample that factor or have lower degree.
-fn special(
+fn special_elements(
     modulus: &Modulus,
     monomials: &Monomials,
     pair: &[Vec<u64>; 2],
@@ -397,7 +399,7 @@ mod tests {
                 [format!("{product} + ({other})"), format!("2*({product}) - ({other})"), product.to_owned()];
             let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
             let members = special_members(&searched, &sides[0], &sides[1]);
-            assert!(members.contains(&tidy(&symbols, &sides[2])), "{product}: {members:?}");
+            assert!(members.contains(&primitive_in_states(&symbols, &sides[2])), "{product}: {members:?}");
         }
     }
 
@@ -406,7 +408,10 @@ mod tests {
         let (free, other) = ("x^3 + y^2 - a", "1 + eps^2*(x^2 + a*y^3)");
         let mixed = [format!("{free} + eps*({other})"), format!("eps*({free}) - ({other})"), free.to_owned()];
         let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
-        assert!(special_members(&searched, &sides[0], &sides[1]).contains(&tidy(&symbols, &sides[2])));
+        assert!(
+            special_members(&searched, &sides[0], &sides[1])
+                .contains(&primitive_in_states(&symbols, &sides[2]))
+        );
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! coefficient equals P/Q, P and Q need monomials of only one sign each.
 
 /// The most generators of sign changes that are returned.
-const MOST: usize = 8;
+const MAX_GENERATORS: usize = 8;
 
 /// The sign condition of a term xⱼxₖ, xⱼ or 1 of component i, as a bit set: the sum over F₂ of the
 /// unit vectors of i, j and k.
@@ -39,7 +39,7 @@ pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
         let own = pivots.iter().filter(|(_, row)| row >> bit & 1 == 1);
         own.fold(1u64 << bit, |solution, (pivot, _)| solution | 1 << pivot) & !time
     });
-    solutions.filter(|solution| *solution != 0).take(MOST).collect()
+    solutions.filter(|solution| *solution != 0).take(MAX_GENERATORS).collect()
 }
 
 /// Returns the sign of a monomial under each generator. Each sign is one bit of the result.

@@ -7,12 +7,12 @@ use crate::maps::modular_step::ModularStep;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
-use crate::modular::subspace::{Form, PolynomialSpace, scattered};
+use crate::modular::subspace::{Form, PolynomialSpace, spread_to_monomials};
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
 /// The number of equations in a linear system beyond the number of unknowns.
-pub(crate) const SPARE: usize = 4;
+pub(crate) const SPARE_EQUATIONS: usize = 4;
 
 /// A space of polynomials whose quotients are integrals, at one choice of the parameters and ε.
 #[derive(Clone, Debug)]
@@ -56,8 +56,8 @@ impl PencilEntry {
         deadline: &Deadline<'_>,
     ) -> Option<(Vec<u64>, Vec<u64>)> {
         let width = self.numerator.len() + self.denominator.len();
-        let mut rows = Vec::with_capacity(width + SPARE);
-        for (orbit, values) in orbits.iter().zip(values).take(width + SPARE) {
+        let mut rows = Vec::with_capacity(width + SPARE_EQUATIONS);
+        for (orbit, values) in orbits.iter().zip(values).take(width + SPARE_EQUATIONS) {
             let relation = orbit.vectors.iter().find(|vector| vector.free == self.leading)?;
             let factor = modulus.opposite(relation.entries[self.lower]);
             let mut row: Vec<u64> = self.numerator.iter().map(|&index| values[index]).collect();
@@ -67,7 +67,8 @@ impl PencilEntry {
         let null = Echelon::null_vectors(modulus, rows, width, deadline)?;
         let [vector] = &null[..] else { return None };
         let (above, below) = vector.split_at(self.numerator.len());
-        let spread = |places: &[usize], entries: &[u64]| scattered(places, entries, values[0].len());
+        let spread =
+            |places: &[usize], entries: &[u64]| spread_to_monomials(places, entries, values[0].len());
         Some((spread(&self.numerator, above), spread(&self.denominator, below)))
     }
 }
@@ -89,8 +90,8 @@ impl Pencil {
         }
         let Source::Entries { relation_degree, entries } = &self.source else { return None };
         let relation_monomials = Monomials::new(map.dimension(), *relation_degree);
-        let wanted =
-            entries.iter().map(|entry| entry.numerator.len() + entry.denominator.len()).max()? + SPARE;
+        let wanted = entries.iter().map(|entry| entry.numerator.len() + entry.denominator.len()).max()?
+            + SPARE_EQUATIONS;
         let mut orbits = Vec::with_capacity(wanted);
         for _ in 0..wanted {
             let mut relations = random_relations(map, &relation_monomials, random, deadline)?;
@@ -121,7 +122,7 @@ impl Pencil {
         let Form { support, .. } = &self.space.form;
         let mut vectors: Vec<Vec<u64>> = Vec::new();
         for _ in 0..2 {
-            let length = support.len() + SPARE;
+            let length = support.len() + SPARE_EQUATIONS;
             let orbit = map.orbit(map.point(random), length);
             if orbit.len() < length {
                 return None;

@@ -6,8 +6,8 @@ use kahan_algebra::symbols::Symbols;
 
 use crate::claims::proved::{Claims, Formula};
 use crate::deadline::Deadline;
-use crate::integrals::accepted::Accepted;
-use crate::integrals::independence::Independent;
+use crate::integrals::accepted::AcceptedIntegrals;
+use crate::integrals::independence::IndependentGradients;
 use crate::integrals::limit::with_a_limit;
 use crate::integrals::members::members;
 use crate::integrals::pencil::Pencil;
@@ -22,10 +22,10 @@ use crate::modular::subspace::reconstruct_space;
 use crate::orbits::hilbert::Hilbert;
 
 /// The degree up to which integrals are searched if the number of coefficients allows it.
-const HIGHEST: u32 = 8;
+const HIGHEST_DEGREE: u32 = 8;
 
 /// The most monomials for which all orders of the variables are tried.
-const CHEAP: usize = 100;
+const MAX_MONOMIALS_FOR_ALL_ORDERS: usize = 100;
 
 /// The inputs and limits of a search.
 pub struct SearchGoals<'a> {
@@ -55,14 +55,14 @@ pub fn integrals(
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Vec<Formula> {
-    let mut collector = Accepted {
+    let mut collector = AcceptedIntegrals {
         searched,
         claims,
         wanted: usize::MAX,
         known: aims.known,
         further: aims.further.0,
         step: searched.step(random),
-        independent: Independent::of(searched, aims.proved, random),
+        independent: IndependentGradients::of(searched, aims.proved, random),
         tell: aims.tell,
         formulas: aims.proved.to_vec(),
     };
@@ -82,7 +82,7 @@ pub fn integrals(
     collector.formulas
 }
 
-impl Accepted<'_> {
+impl AcceptedIntegrals<'_> {
     /// Searches on the level sets of linear relations, then in the whole space.
     fn search(
         &mut self,
@@ -124,10 +124,10 @@ impl Accepted<'_> {
         }
         let spanned = spanned_pencils(&map, limits.relation_degree, self.wanted, random, limits.deadline);
         self.take(&spanned, chart, limits, random);
-        for degree in 1..=limits.highest.max(HIGHEST) {
+        for degree in 1..=limits.highest.max(HIGHEST_DEGREE) {
             self.offer_known(degree);
             // The order of the variables determines which coefficients of the relations are simple.
-            let is_cheap = Monomials::count(map.dimension(), degree) <= CHEAP;
+            let is_cheap = Monomials::count(map.dimension(), degree) <= MAX_MONOMIALS_FOR_ALL_ORDERS;
             let orders = if is_cheap { usize::MAX } else { limits.reach.orders };
             for leaf in chart.leaf.orders().take(orders) {
                 let chart = Chart { leaf, coordinates: chart.coordinates.clone() };

@@ -11,7 +11,7 @@ use crate::claims::writing::{in_powers, state_factors};
 use crate::densities::products::exponents;
 use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
-use crate::modular::subspace::tidy;
+use crate::modular::subspace::primitive_in_states;
 
 /// Removes factors of the denominator as often as possible. For this, a product of `factors` of
 /// known integrals is subtracted from a multiple of the numerator.
@@ -27,7 +27,8 @@ pub(crate) fn reduced(
     while let Some((above, below)) = without_factor(searched, step, factors, &numerator, &denominator) {
         let common = gcd(&above, &below);
         let lowest = |side: &Polynomial| side.checked_div(&common).expect("a common divisor divides");
-        (numerator, denominator) = (tidy(symbols, &lowest(&above)), tidy(symbols, &lowest(&below)));
+        (numerator, denominator) =
+            (primitive_in_states(symbols, &lowest(&above)), primitive_in_states(symbols, &lowest(&below)));
     }
     (numerator, denominator)
 }

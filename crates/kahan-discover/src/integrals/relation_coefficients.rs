@@ -7,7 +7,7 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use crate::deadline::Deadline;
 use crate::integrals::parity::character;
-use crate::integrals::pencil::{Pencil, PencilEntry, SPARE, Source};
+use crate::integrals::pencil::{Pencil, PencilEntry, SPARE_EQUATIONS, Source};
 use crate::integrals::search::{FormulaLimits, Search};
 use crate::maps::modular_step::ModularStep;
 use crate::modular::monomials::Monomials;
@@ -63,7 +63,7 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
         relations.vectors.retain(|vector| places.iter().any(|&(leading, _)| leading == vector.free));
     };
     orbits.iter_mut().for_each(keep_looked_at);
-    while orbits.len() < width + SPARE {
+    while orbits.len() < width + SPARE_EQUATIONS {
         let Some(mut relations) = random_relations(map, &monomials, search.random, deadline) else { return };
         keep_looked_at(&mut relations);
         orbits.push(relations);

@@ -12,7 +12,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
 use crate::deadline::Deadline;
-use crate::integrals::pencil::{PencilEntry, SPARE};
+use crate::integrals::pencil::{PencilEntry, SPARE_EQUATIONS};
 use crate::maps::map::ModularMap;
 use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
@@ -187,7 +187,7 @@ impl AffineSubspace {
             let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
                 let map = searched.at(modulus, unknowns)?;
                 let mut orbits = Vec::new();
-                for _ in 0..2 * all.len() + SPARE {
+                for _ in 0..2 * all.len() + SPARE_EQUATIONS {
                     orbits.push(random_relations(&map, &linear, random, deadline)?);
                 }
                 let values: Vec<Vec<u64>> =

@@ -6,7 +6,7 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 
 use crate::maps::affine_subspace::{AffineSubspace, Coordinate};
 use crate::maps::search_field::SearchField;
-use crate::modular::subspace::Names;
+use crate::modular::subspace::FormulaVariables;
 
 const SUBSTITUTION_WORK: u64 = 20_000_000;
 
@@ -27,9 +27,9 @@ impl Chart {
 
     /// Returns the variables that occur in formulas on the level set.
     #[must_use]
-    pub fn names(&self, searched: &SearchField) -> Names {
+    pub fn names(&self, searched: &SearchField) -> FormulaVariables {
         let symbols = searched.family().symbols();
-        let mut names = Names::of(searched);
+        let mut names = FormulaVariables::of(searched);
         names.unknowns.extend((0..self.coordinates.len()).map(|j| self.variable(symbols, j)));
         names.states = self.leaf.order().iter().map(|&state| symbols.state(state)).collect();
         if let Some((weights, unknowns)) = &mut names.weights {

@@ -7,7 +7,7 @@
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{Random, SplitMix64};
 
-use crate::integrals::accepted::Accepted;
+use crate::integrals::accepted::AcceptedIntegrals;
 use crate::integrals::reconstructed::SearchLimits;
 use crate::integrals::search::spanned_pencils;
 use crate::maps::affine_subspace::{Coordinate, MapOnSubspace};
@@ -106,7 +106,7 @@ impl ModularStep for ConstrainedMap<'_> {
     }
 }
 
-impl Accepted<'_> {
+impl AcceptedIntegrals<'_> {
     /// Searches further integrals on the level sets of the first basis element divided by the
     /// second.
     pub(crate) fn search_constrained(

@@ -51,7 +51,7 @@ impl Echelon {
                 break;
             }
         }
-        cleared(modulus, &pivots, &mut echelon, columns, deadline)?;
+        back_substituted(modulus, &pivots, &mut echelon, columns, deadline)?;
         Some(Echelon { pivots, rows: echelon, columns })
     }
 
@@ -114,7 +114,7 @@ fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec
 
 /// Clears the pivot columns of later rows in each row (back substitution). Only columns without a
 /// pivot are computed.
-fn cleared(
+fn back_substituted(
     modulus: &Modulus,
     pivots: &[usize],
     rows: &mut [Vec<u64>],
@@ -160,7 +160,7 @@ impl Sums {
         if factor == 0 {
             return;
         }
-        if self.products == Modulus::PRODUCTS {
+        if self.products == Modulus::MAX_UNREDUCED_PRODUCTS {
             for sum in &mut self.sums[from..] {
                 *sum = Modulus::unreduced(modulus.reduced(*sum));
             }
@@ -178,7 +178,7 @@ impl Sums {
 }
 
 /// The number of equations in a linear system beyond the number of unknowns.
-pub(crate) const SPARE: usize = 6;
+pub(crate) const SPARE_EQUATIONS: usize = 6;
 
 /// Returns a basis of the null space of a matrix of random rows.
 pub(crate) fn sampled_null_vectors(
@@ -187,8 +187,8 @@ pub(crate) fn sampled_null_vectors(
     deadline: &Deadline<'_>,
     mut row: impl FnMut() -> Option<Vec<u64>>,
 ) -> Option<Vec<Vec<u64>>> {
-    let mut rows = Vec::with_capacity(columns + SPARE);
-    for _ in 0..columns + SPARE {
+    let mut rows = Vec::with_capacity(columns + SPARE_EQUATIONS);
+    for _ in 0..columns + SPARE_EQUATIONS {
         if deadline.passed() {
             return None;
         }

@@ -103,7 +103,7 @@ impl Modulus {
     /// The most products that may be added to [`unreduced(a)`](Self::unreduced) for a < p. Since
     /// p < 2⁶², the sum a·2⁶⁴ and eight products are together below 3·2¹²⁶, which fits into 128
     /// bits.
-    pub(crate) const PRODUCTS: usize = 8;
+    pub(crate) const MAX_UNREDUCED_PRODUCTS: usize = 8;
 
     /// Starts a sum of products with the term `a`, without reduction modulo p.
     #[inline]
@@ -169,10 +169,13 @@ impl Modulus {
     /// Returns Σ aᵢ bᵢ.
     #[must_use]
     pub fn dot(&self, a: &[u64], b: &[u64]) -> u64 {
-        a.chunks(Self::PRODUCTS).zip(b.chunks(Self::PRODUCTS)).fold(0, |sum, (a, b)| {
-            let products = a.iter().zip(b).map(|(a, b)| u128::from(*a) * u128::from(*b));
-            self.reduced(products.fold(Self::unreduced(sum), |sum, product| sum + product))
-        })
+        a.chunks(Self::MAX_UNREDUCED_PRODUCTS).zip(b.chunks(Self::MAX_UNREDUCED_PRODUCTS)).fold(
+            0,
+            |sum, (a, b)| {
+                let products = a.iter().zip(b).map(|(a, b)| u128::from(*a) * u128::from(*b));
+                self.reduced(products.fold(Self::unreduced(sum), |sum, product| sum + product))
+            },
+        )
     }
 
     /// Returns ∏ xᵢ^eᵢ for a point x and exponents e.
@@ -249,9 +252,10 @@ mod tests {
         let modulus = Modulus::of(plain);
         for k in 1..100 {
             let (a, b) = (modulus.prime() - 1, modulus.prime() - k);
-            let sum = (0..Modulus::PRODUCTS)
+            let sum = (0..Modulus::MAX_UNREDUCED_PRODUCTS)
                 .fold(Modulus::unreduced(a), |sum, _| sum + u128::from(a) * u128::from(b));
-            let expected = (0..Modulus::PRODUCTS).fold(a, |sum, _| modulus.plus(sum, modulus.times(a, b)));
+            let expected =
+                (0..Modulus::MAX_UNREDUCED_PRODUCTS).fold(a, |sum, _| modulus.plus(sum, modulus.times(a, b)));
             assert_eq!(modulus.reduced(sum), expected);
         }
     }

@@ -15,7 +15,7 @@ use crate::maps::parametric_field::evaluate;
 use crate::modular::ansatz::MonomialSupport;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
-use crate::modular::thiele::{SPARE, degree};
+use crate::modular::thiele::{SPARE_POINTS, degree};
 
 /// A function that returns the values of rational functions at given unknowns, or `None` where they
 /// are undefined.
@@ -90,7 +90,7 @@ impl Reconstruction<'_> {
     fn degrees_on_line(&mut self, modulus: Modulus, direction: &[u64]) -> Option<Vec<usize>> {
         let base = self.point(&modulus);
         let (mut points, mut values): (Vec<u64>, Vec<Vec<u64>>) = (Vec::new(), Vec::new());
-        let mut wanted = 2 * 2 + 1 + SPARE;
+        let mut wanted = 2 * 2 + 1 + SPARE_POINTS;
         let mut failures = 0;
         loop {
             while points.len() < wanted {
@@ -147,14 +147,14 @@ impl Reconstruction<'_> {
     /// Returns for each function the coefficients of its numerator, then those of its denominator.
     /// The last nonzero coefficient is 1.
     fn coefficients(&mut self, modulus: Modulus, shapes: &[MonomialSupport]) -> Option<Vec<Vec<u64>>> {
-        let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
+        let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE_POINTS;
         let mut samples = Vec::with_capacity(wanted);
         for _ in 0..wanted {
             samples.push(self.sample(modulus)?);
         }
         let solve = |(entry, shape): (usize, &MonomialSupport)| {
             let width = 2 * shape.monomials.len();
-            let rows = samples[..width + SPARE].iter().map(|(point, values)| {
+            let rows = samples[..width + SPARE_POINTS].iter().map(|(point, values)| {
                 let own = shape.values(&modulus, point);
                 let factor = modulus.opposite(values[entry]);
                 let scaled: Vec<u64> = own.iter().map(|&value| modulus.times(value, factor)).collect();

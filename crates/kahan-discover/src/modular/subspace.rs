@@ -78,7 +78,7 @@ impl PolynomialSpace {
     /// Returns the coefficients of a basis element on all `count` monomials.
     #[must_use]
     pub fn element(&self, index: usize, count: usize) -> Vec<u64> {
-        scattered(&self.form.support, &self.rows[index], count)
+        spread_to_monomials(&self.form.support, &self.rows[index], count)
     }
 
     /// Returns the number of terms of a basis element.
@@ -89,7 +89,7 @@ impl PolynomialSpace {
 }
 
 /// Returns a vector of length `len` with `entries` at the given indices, and zeros elsewhere.
-pub(crate) fn scattered<'a>(
+pub(crate) fn spread_to_monomials<'a>(
     places: impl IntoIterator<Item = &'a usize>,
     entries: &[u64],
     len: usize,
@@ -103,7 +103,7 @@ pub(crate) fn scattered<'a>(
 
 /// The variables that occur in formulas for a space of polynomials.
 #[derive(Clone, Debug)]
-pub struct Names {
+pub struct FormulaVariables {
     /// The parameters, ε, and further unknowns on which the space depends.
     pub unknowns: Vec<Variable>,
     /// The states that the monomials contain.
@@ -112,14 +112,14 @@ pub struct Names {
     pub weights: Option<(Weights, Vec<Vec<Rational>>)>,
 }
 
-impl Names {
+impl FormulaVariables {
     /// Returns the variables of formulas in all states of a map.
     #[must_use]
     pub fn of(searched: &SearchField) -> Self {
         let symbols = searched.family().symbols();
         let unknowns = searched.unknown_variables();
         let own = unknowns.iter().map(|&unknown| searched.weights().of_variable(unknown)).collect();
-        Names {
+        FormulaVariables {
             unknowns,
             states: (0..searched.dimension()).map(|i| symbols.state(i)).collect(),
             weights: Some((searched.weights().clone(), own)),
@@ -153,7 +153,7 @@ impl Names {
 /// function `at` returns the space at values of the unknowns. Returns `None` if a space has another
 /// `form`, or if [`reconstruct`] fails.
 pub fn reconstruct_space(
-    names: &Names,
+    names: &FormulaVariables,
     monomials: &Monomials,
     form: &Form,
     mut at: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<PolynomialSpace>,
@@ -172,12 +172,12 @@ pub fn reconstruct_space(
         None => reconstruct(&mut oracle, &names.unknowns, random, deadline)?,
     };
     let rows = entries.chunks(form.support.len());
-    Some(rows.map(|row| cleared(&names.states, monomials, &form.support, row)).collect())
+    Some(rows.map(|row| integer_combination(&names.states, monomials, &form.support, row)).collect())
 }
 
 /// Returns Σ cₘ m over the monomials m, scaled to coprime integer coefficients.
 #[must_use]
-pub fn cleared(
+pub fn integer_combination(
     states: &[Variable],
     monomials: &Monomials,
     support: &[usize],
@@ -201,7 +201,7 @@ pub(crate) fn combination(
 /// Divides a polynomial by all factors that contain no state. The first printed term becomes
 /// positive.
 #[must_use]
-pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
+pub fn primitive_in_states(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
     let primitive = symbols.primitive_part(polynomial);
     if begins_negative(&primitive) { -&primitive } else { primitive }
 }

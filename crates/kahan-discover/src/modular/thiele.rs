@@ -9,7 +9,7 @@ use crate::modular::modulus::Modulus;
 
 /// The number of points that must agree with the continued fraction beyond those that determine it.
 /// A wrong degree passes with a probability below (degree/p)⁴.
-pub(crate) const SPARE: usize = 4;
+pub(crate) const SPARE_POINTS: usize = 4;
 
 /// Returns max(deg P, deg Q) of the function P/Q in lowest terms with `values` at distinct
 /// `points`. Returns `None` if more points are needed or the deadline passes. The cost is 4
@@ -19,7 +19,7 @@ pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Dead
     let mut points = points.to_vec();
     let mut values = values.to_vec();
     for level in 0.. {
-        if points.len() <= SPARE || deadline.passed() {
+        if points.len() <= SPARE_POINTS || deadline.passed() {
             return None;
         }
         let (start, first) = (points.remove(0), values.remove(0));

@@ -10,7 +10,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use crate::deadline::Deadline;
 use crate::maps::map::ModularMap;
 use crate::maps::modular_step::ModularStep;
-use crate::modular::thiele::{SPARE, degree};
+use crate::modular::thiele::{SPARE_POINTS, degree};
 use crate::orbits::growth::{Growth, GrowthVerdict};
 
 /// The limits of a computation of degrees.
@@ -25,12 +25,12 @@ pub struct DegreeLimits<'a> {
     pub deadline: &'a Deadline<'a>,
 }
 
-const FEWEST: usize = 6;
+const ENOUGH_DEGREES: usize = 6;
 
 /// Returns the degrees d₀ = 1, d₁, … of iterates on a random line. The list is empty if the map is
 /// undefined there. An iterate of degree d takes 2d evaluations of the map and 8d² multiplications.
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
-    let mut line = Line::new(map, random);
+    let mut line = RandomLine::new(map, random);
     let mut degrees = vec![1];
     let most_points = 16 * limits.degree + 16;
     while degrees.len() <= limits.iterates {
@@ -38,7 +38,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
         let last = degrees[known - 1];
         let before = if known > 1 { degrees[known - 2] } else { 1 };
         let expected = last * last / before.max(1) + 2;
-        let mut points = (2 * expected + SPARE + 1).max(16);
+        let mut points = (2 * expected + SPARE_POINTS + 1).max(16);
         let found = loop {
             if limits.deadline.passed() || points > most_points {
                 break None;
@@ -59,7 +59,8 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
         };
         let Some(found) = found else { break };
         degrees.push(found);
-        let is_short = degrees.len() < FEWEST && GrowthVerdict::of(&degrees).growth == Growth::Undecided;
+        let is_short =
+            degrees.len() < ENOUGH_DEGREES && GrowthVerdict::of(&degrees).growth == Growth::Undecided;
         let limit = if is_short { 4 * limits.degree } else { limits.degree };
         if found > limit {
             break;
@@ -69,7 +70,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
 }
 
 /// Points on a random line, which the map moves together.
-struct Line<'a> {
+struct RandomLine<'a> {
     map: &'a ModularMap,
     base: Vec<u64>,
     direction: Vec<u64>,
@@ -85,9 +86,9 @@ struct Sample {
     steps: usize,
 }
 
-impl<'a> Line<'a> {
+impl<'a> RandomLine<'a> {
     fn new(map: &'a ModularMap, random: &mut SplitMix64) -> Self {
-        Line {
+        RandomLine {
             map,
             base: map.point(random),
             direction: map.point(random),

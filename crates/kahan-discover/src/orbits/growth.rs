@@ -64,7 +64,7 @@ impl fmt::Display for Growth {
 
 /// The largest relative difference between ratios that are treated as constant. Ratios of the
 /// sequence n^k decrease like 1 + k/n.
-const STEADY: f64 = 0.08;
+const CONSTANT_RATIO_TOLERANCE: f64 = 0.08;
 
 impl GrowthVerdict {
     /// Classifies the degrees d₀, d₁, … by the first rule that applies:
@@ -83,7 +83,7 @@ impl GrowthVerdict {
         let count = values.len();
         let verdict = |growth, evidence: String| GrowthVerdict { growth, evidence, proof: None };
         for (order, what) in [(1, "differences"), (2, "second differences")] {
-            if let Some((period, difference, confirmed)) = settled(&values, order) {
+            if let Some((period, difference, confirmed)) = constant_differences(&values, order) {
                 let growth = match (order, difference) {
                     (2, _) => Growth::Quadratic,
                     (_, 0) => Growth::Bounded,
@@ -119,7 +119,7 @@ fn steps(period: usize, difference: i128, what: &str) -> String {
 
 /// Returns the least k for which the last differences over k steps are constant, the constant, and
 /// the number of these differences.
-fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
+fn constant_differences(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     (1..=values.len() / (order + 2)).find_map(|period| {
         let mut differences = values.to_vec();
         for _ in 0..order {
@@ -139,7 +139,7 @@ fn exponential(values: &[i128]) -> Option<f64> {
     let ratios: Vec<f64> = values.windows(2).map(|pair| pair[1] as f64 / pair[0].max(1) as f64).collect();
     let end = ratios.len() - 1;
     let last = &ratios[end.saturating_sub(3)..];
-    let steady = (ratios[end] / ratios[end.saturating_sub(2)] - 1.0).abs() <= STEADY;
+    let steady = (ratios[end] / ratios[end.saturating_sub(2)] - 1.0).abs() <= CONSTANT_RATIO_TOLERANCE;
     let kept = ratios[end] - 1.0 >= 2.0 / 3.0 * (ratios[end / 2] - 1.0);
     (last.iter().all(|&ratio| ratio > 1.15) && steady && kept).then_some(ratios[end])
 }

@@ -38,7 +38,7 @@ pub const MANY_TRIALS: usize = 400_000;
 
 /// The most multiplications of all trials together. One trial takes about n³ multiplications in n
 /// variables.
-const WORK: usize = 100_000_000;
+const MAX_PRODUCTS: usize = 100_000_000;
 
 const TRIALS_A_SAMPLE: usize = 40;
 
@@ -69,7 +69,7 @@ pub fn integral_bound(
         return None;
     }
     let mut lowest: Option<IntegralBound> = None;
-    let trials = trials.min(WORK / (n * n * n).max(1));
+    let trials = trials.min(MAX_PRODUCTS / (n * n * n).max(1));
     for sample in 0..trials / TRIALS_A_SAMPLE {
         let prime = PRIMES[sample % PRIMES.len()];
         // The prime must not divide the multiplicity of an eigenvalue, which is at most n.

@@ -13,7 +13,7 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 
 /// The number of points beyond the number of monomials, which excludes accidental relations.
-const SPARE: usize = 6;
+const SPARE_POINTS: usize = 6;
 
 /// The relations on one orbit.
 #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ impl Relations {
         monomials: &Monomials,
         deadline: &Deadline<'_>,
     ) -> Option<Self> {
-        let wanted = monomials.len() + SPARE;
+        let wanted = monomials.len() + SPARE_POINTS;
         let orbit = map.orbit(start, wanted);
         let period = orbit.iter().skip(1).position(|point| *point == orbit[0]).map(|before| before + 1);
         if orbit.len() < wanted {

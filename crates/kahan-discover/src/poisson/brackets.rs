@@ -18,7 +18,7 @@ use crate::claims::proved::{Claims, Formula};
 use crate::claims::writing::begins_negative;
 use crate::deadline::Deadline;
 
-pub(crate) use constant::of_structure;
+pub(crate) use constant::bracket_of_structure;
 use construct::invariant_tensor;
 pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 

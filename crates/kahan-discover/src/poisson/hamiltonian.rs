@@ -27,7 +27,7 @@ const MODIFIED_WORK: u64 = 10_000_000;
 const MOST_STRUCTURES: usize = 4;
 
 /// The number of equations for each component beyond the number of unknowns.
-const SPARE: usize = 6;
+const SPARE_EQUATIONS: usize = 6;
 
 /// A decomposition f = K∇H with a constant antisymmetric matrix K.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -174,7 +174,7 @@ fn potential(
     let n = map.dimension();
     let width = monomials.len() - 1;
     let mut rows = Vec::new();
-    while rows.len() < width + n * SPARE {
+    while rows.len() < width + n * SPARE_EQUATIONS {
         let point = map.point(random);
         let (value, _) = map.field(&point);
         let slopes = monomial_gradients(modulus, monomials, &point);

@@ -9,14 +9,14 @@ use kahan_algebra::symbols::Symbols;
 use crate::claims::proved::{Claims, Formula};
 use crate::claims::writing::factors_of;
 use crate::deadline::Deadline;
-use crate::integrals::independence::Independent;
+use crate::integrals::independence::IndependentGradients;
 use crate::maps::search_field::SearchField;
-use crate::modular::subspace::tidy;
+use crate::modular::subspace::primitive_in_states;
 use crate::poisson::hamiltonian::{Hamiltonian, hamiltonians};
 use crate::report::ModifiedPlace;
 
 /// A compact form may replace a formula with more characters than this.
-const LONG: usize = 1000;
+const LONG_FORMULA: usize = 1000;
 
 /// A compact form may replace a formula that is at least this many times as long.
 const FAR_SHORTER: usize = 4;
@@ -39,7 +39,7 @@ impl Modified {
         found.retain(|found| found.holds(field));
         let written = |found: &Hamiltonian| {
             let (above, below) = found.modified(searched, field)?;
-            Some((tidy(&field.symbols, &above), tidy(&field.symbols, &below)))
+            Some((primitive_in_states(&field.symbols, &above), primitive_in_states(&field.symbols, &below)))
         };
         let mut all: Vec<Modified> =
             found.into_iter().map(|found| Modified { written: written(&found), found }).collect();
@@ -80,7 +80,8 @@ fn add_if_independent(
     random: &mut SplitMix64,
 ) {
     let Some(formula) = formula else { return };
-    if Independent::of(searched, integrals, random).admits(&formula.numerator, &formula.denominator) {
+    if IndependentGradients::of(searched, integrals, random).admits(&formula.numerator, &formula.denominator)
+    {
         integrals.push(formula);
     }
 }
@@ -120,7 +121,7 @@ impl Gradients<'_> {
             }
             let length = |index: usize| integrals[index].text.len();
             let shorter = FAR_SHORTER * modified.found.compact(symbols, &Text).len();
-            let long = kept.iter().copied().filter(|&index| length(index) > LONG.max(shorter));
+            let long = kept.iter().copied().filter(|&index| length(index) > LONG_FORMULA.max(shorter));
             let replaced = long.filter(|&index| rank(Some(index), true) == all).max_by_key(|&i| length(i));
             let Some(index) = replaced else { return ModifiedPlace::Implied };
             kept.retain(|&known| known != index);

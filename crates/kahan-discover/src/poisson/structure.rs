@@ -8,14 +8,14 @@ use kahan_algebra::rational_function::RationalFunction;
 
 use crate::claims::proved::{Claims, Formula};
 use crate::deadline::Deadline;
-use crate::integrals::independence::Independent;
+use crate::integrals::independence::IndependentGradients;
 use crate::maps::map::ModularMap;
 use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
 use crate::modular::matrix::sampled_null_vectors;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
-use crate::modular::subspace::{Names, PolynomialSpace, reconstruct_space, tidy};
+use crate::modular::subspace::{FormulaVariables, PolynomialSpace, primitive_in_states, reconstruct_space};
 use crate::orbits::relations::monomial_gradients;
 
 /// Returns div f = Σ ∂fᵢ/∂xᵢ.
@@ -45,7 +45,7 @@ const FEW_VARIABLES: usize = 10;
 
 /// Integrals P/Q of the map that follow from the field by linear algebra.
 #[derive(Default)]
-pub(crate) struct ByRules {
+pub(crate) struct IntegralsByRules {
     /// Integrals that are accepted before the search for other integrals.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
     /// The integrals that the search may replace by integrals of equal degree with a common
@@ -54,7 +54,7 @@ pub(crate) struct ByRules {
 }
 
 /// Returns the integrals of the map by the rules of polarisation and rotation, at the fixed ε.
-pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
+pub(crate) fn integrals_by_rules(searched: &SearchField, field: &Field) -> IntegralsByRules {
     let has_few = field.dimension() <= FEW_VARIABLES;
     let is_linear = (0..field.dimension()).all(|i| field.homogeneous_part(i, 2).is_zero());
     let is_later = |found: &ModifiedIntegral| {
@@ -67,10 +67,10 @@ pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
         (searched.at_eps(above.clone()), searched.at_eps(below.clone()))
     };
     let [at_once, later] = [at_once, later].map(|found| found.into_iter().map(sides).collect());
-    ByRules { at_once, later }
+    IntegralsByRules { at_once, later }
 }
 
-impl ByRules {
+impl IntegralsByRules {
     pub(crate) fn proved(
         &self,
         searched: &SearchField,
@@ -78,11 +78,11 @@ impl ByRules {
         random: &mut SplitMix64,
     ) -> Vec<Formula> {
         let symbols = searched.family().symbols();
-        let mut independent = Independent::new(searched, random);
+        let mut independent = IndependentGradients::new(searched, random);
         let mut proved: Vec<Formula> = Vec::new();
         for (above, below) in &self.at_once {
             if independent.admits(above, below) {
-                let [above, below] = [above, below].map(|side| tidy(symbols, side));
+                let [above, below] = [above, below].map(|side| primitive_in_states(symbols, side));
                 if let Some(formula) = claims.integral_by_theorem(symbols, proved.len() + 1, &above, &below) {
                     independent.keep(&above, &below);
                     proved.push(formula);
@@ -124,12 +124,12 @@ pub fn flow_integrals(
     deadline: &Deadline<'_>,
 ) -> FlowIntegrals {
     let symbols = searched.family().symbols();
-    let mut independent = Independent::new(searched, random);
+    let mut independent = IndependentGradients::new(searched, random);
     let mut integrals = FlowIntegrals::default();
     for degree in 1..=degree {
         let Some(space) = flow_space(searched, degree, random, deadline) else { break };
         for polynomial in space {
-            let polynomial = tidy(symbols, &polynomial);
+            let polynomial = primitive_in_states(symbols, &polynomial);
             if independent.admits(&polynomial, &Polynomial::one()) {
                 independent.keep(&polynomial, &Polynomial::one());
                 integrals.found.push(polynomial);
@@ -163,7 +163,7 @@ fn flow_space(
         let vectors = flow_null_vectors(&map, &monomials, &form.support, random, deadline)?;
         PolynomialSpace::of_form(&modulus, &form, vectors)
     };
-    reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)
+    reconstruct_space(&FormulaVariables::of(searched), &monomials, &form, at, random, deadline)
 }
 
 fn flow_null_vectors(

@@ -24,7 +24,7 @@ pub(crate) struct Homogeneous {
 }
 
 /// A point of a curve in homogeneous coordinates, W last, with a basis of the tangent vectors.
-pub(crate) struct Place {
+pub(crate) struct CurvePoint {
     point: Vec<u64>,
     tangents: Vec<Vec<u64>>,
 }
@@ -114,7 +114,7 @@ impl Homogeneous {
     /// length.
     pub(crate) fn follow(
         &self,
-        place: &Place,
+        place: &CurvePoint,
         curves: &Homogeneous,
         steps: usize,
         length: usize,
@@ -142,7 +142,7 @@ impl Homogeneous {
         Ok(images)
     }
 
-    fn moved(&self, place: &Place, length: usize, random: &mut SplitMix64) -> Vec<Series> {
+    fn moved(&self, place: &CurvePoint, length: usize, random: &mut SplitMix64) -> Vec<Series> {
         let series = |(i, value): (usize, &u64)| {
             let slopes: Vec<u64> = place.tangents.iter().map(|tangent| tangent[i]).collect();
             let mut series = Series::constant(*value, &slopes, length);
@@ -180,7 +180,7 @@ impl Homogeneous {
     }
 }
 
-impl Place {
+impl CurvePoint {
     /// Returns a random zero of a polynomial at which the gradient is not 0.
     pub(crate) fn on(
         modulus: &Modulus,
@@ -218,7 +218,7 @@ impl Place {
             tangent.entries.push(0);
             tangent.entries
         });
-        Some(Place { point, tangents: tangents.collect() })
+        Some(CurvePoint { point, tangents: tangents.collect() })
     }
 
     pub(crate) fn at_infinity(modulus: &Modulus, n: usize, random: &mut SplitMix64) -> Self {
@@ -226,6 +226,6 @@ impl Place {
         point[0] = modulus.one();
         point.push(0);
         let tangent = |i: usize| (0..=n).map(|j| if i == j { modulus.one() } else { 0 }).collect();
-        Place { point, tangents: (1..n).map(tangent).collect() }
+        CurvePoint { point, tangents: (1..n).map(tangent).collect() }
     }
 }

@@ -7,7 +7,7 @@
 //! 81, 1998) confines and is chaotic. So the degrees of iterates are reported, too.
 
 pub(crate) mod curves;
-mod implied;
+mod implied_degrees;
 mod jet;
 mod roots;
 mod series;
@@ -19,7 +19,7 @@ use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
-use crate::deadline::{Deadline, Work};
+use crate::deadline::{Deadline, WatchedSearch};
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 use crate::orbits::degrees::{DegreeLimits, degrees};
@@ -28,7 +28,7 @@ use crate::stages::specialised;
 use crate::watch::{Progress, Watch};
 use curves::Curves;
 pub use jet::Image;
-use jet::{Homogeneous, NoImage, Place, Values};
+use jet::{CurvePoint, Homogeneous, NoImage, Values};
 
 /// The singularity pattern of one curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -100,7 +100,7 @@ pub fn poles(
     steps: usize,
     watch: &dyn Watch,
 ) -> Result<Poles, DiscoverError> {
-    let work = &Work::new(watch);
+    let work = &WatchedSearch::new(watch);
     let [for_degrees, deadline] =
         [FOR_DEGREES, 1.0].map(|share| Deadline::after(work, options.seconds * share));
     work.show(&Progress::stage("degrees of iterates"));
@@ -137,7 +137,8 @@ pub fn poles(
         .collect();
     let degree = curves.components.iter().map(|component| symbols.degree(component)).max().unwrap_or(0);
     let is_decided = is_complete && patterns.iter().all(|pattern| pattern.confined.is_some());
-    let implied_degrees = if is_decided { implied::degrees(degree as usize, &with_degrees) } else { None };
+    let implied_degrees =
+        if is_decided { implied_degrees::degrees(degree as usize, &with_degrees) } else { None };
     // Every map has points at infinity, so they are listed only if they are blown down.
     patterns.retain(|pattern| pattern.curve.is_some() || pattern.is_blown_down());
     Ok(Poles { symbols, patterns, bound: steps, is_complete, degrees, implied_degrees })
@@ -195,8 +196,8 @@ impl Follower<'_> {
         let curves = Homogeneous::curves(modulus, &self.curves.factors, &values)?;
         let n = self.searched.dimension();
         let place = match curve {
-            Some(curve) => Place::on(&modulus, curve, &values, random)?,
-            None => Place::at_infinity(&modulus, n, random),
+            Some(curve) => CurvePoint::on(&modulus, curve, &values, random)?,
+            None => CurvePoint::at_infinity(&modulus, n, random),
         };
         Some(map.follow(&place, &curves, self.steps, length, random))
     }

@@ -14,7 +14,7 @@ use kahan_algebra::system::{Condition, System};
 use super::vanishing_polynomials::{Grid, VanishingPolynomial, vanishing_polynomials};
 use super::{DegreesAndRanks, Scan};
 use crate::claims::proved::{Claims, Formula};
-use crate::deadline::{Deadline, Work};
+use crate::deadline::{Deadline, WatchedSearch};
 use crate::orbits::hilbert::default_degree;
 use crate::report::Options;
 use crate::stages::discover_within;
@@ -36,7 +36,7 @@ pub(super) fn proposals(
     system: &System,
     scan: &Scan,
     options: &Options,
-    work: &Work<'_>,
+    work: &WatchedSearch<'_>,
     deadline: &Deadline<'_>,
 ) -> Vec<Proposal> {
     let symbols = &system.field.symbols;
@@ -57,11 +57,11 @@ pub(super) fn proposals(
     let mut found = vanishing_polynomials(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
     let others = vanishing_polynomials(&grid(&|sight| *sight != scan.generic), &found);
     found.extend(others);
-    let mut prover = Prover::new(system, options, work);
+    let mut prover = RelationProver::new(system, options, work);
     let mut proposals = Vec::new();
     for (index, VanishingPolynomial { polynomial, points }) in found.iter().enumerate() {
         let polynomial = polynomial.map_variables(|axis| axes[usize::from(axis.0)]);
-        let Some(sight) = usual(points.iter().map(|&at| sights[at])) else { continue };
+        let Some(sight) = usual_degrees(points.iter().map(|&at| sights[at])) else { continue };
         let relation = relation_text(symbols, &polynomial);
         let seconds = deadline.left() / (found.len() - index) as f64;
         let claims = prover.prove(&polynomial, &relation, seconds);
@@ -71,7 +71,7 @@ pub(super) fn proposals(
 }
 
 /// Returns the most frequent degrees and ranks among those with the fewest integrals.
-fn usual<'a>(sights: impl Iterator<Item = &'a DegreesAndRanks>) -> Option<&'a DegreesAndRanks> {
+fn usual_degrees<'a>(sights: impl Iterator<Item = &'a DegreesAndRanks>) -> Option<&'a DegreesAndRanks> {
     let mut counts: HashMap<String, (usize, &DegreesAndRanks)> = HashMap::new();
     for sight in sights {
         counts.entry(format!("{sight:?}")).or_insert((0, sight)).0 += 1;
@@ -110,21 +110,21 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
 }
 
 /// Searches formulas that hold under a relation, and claims them for the given field.
-struct Prover<'a> {
+struct RelationProver<'a> {
     system: &'a System,
     options: &'a Options,
-    work: &'a Work<'a>,
+    work: &'a WatchedSearch<'a>,
     claims: Claims<'a>,
     taken: BTreeSet<String>,
 }
 
-impl<'a> Prover<'a> {
-    fn new(system: &'a System, options: &'a Options, work: &'a Work<'a>) -> Self {
+impl<'a> RelationProver<'a> {
+    fn new(system: &'a System, options: &'a Options, work: &'a WatchedSearch<'a>) -> Self {
         let symbols = &system.field.symbols;
         let claims = system.claims.iter().map(|claim| claim.name.text.clone());
         let constants = system.constants.iter().map(|(name, _)| name.clone());
         let names = symbols.states.iter().chain(&symbols.parameters).cloned();
-        Prover {
+        RelationProver {
             system,
             options,
             work,

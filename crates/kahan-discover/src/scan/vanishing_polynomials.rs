@@ -33,9 +33,9 @@ pub(super) struct VanishingPolynomial {
 const SPARE_POINTS: usize = 2;
 /// The highest probability of an accidental polynomial: p^(zeros − coefficients), where p is the
 /// fraction of special points on the grid.
-const CHANCE: f64 = 0.01;
+const MAX_COINCIDENCE_PROBABILITY: f64 = 0.01;
 /// The number of random choices of points through which linear polynomials are tried.
-const SAMPLES: usize = 3000;
+const POINT_CHOICES: usize = 3000;
 const MOST_NAMES: usize = 4;
 const HIGHEST_DEGREE: u32 = 3;
 const LARGEST: u64 = 1000;
@@ -94,7 +94,7 @@ impl<'a> Search<'a> {
         for size in 2..=self.names.len().min(MOST_NAMES) {
             for names in subsets(&self.names, size) {
                 let mut tried = BTreeSet::new();
-                for _ in 0..SAMPLES {
+                for _ in 0..POINT_CHOICES {
                     if self.open.len() < size + SPARE_POINTS {
                         return;
                     }
@@ -129,7 +129,8 @@ impl<'a> Search<'a> {
     fn linear_polynomial(&self, names: &[usize], entries: &[u64]) -> Option<Polynomial> {
         let monomials =
             std::iter::once(Monomial::one()).chain(names.iter().map(|&k| Monomial::variable(variable(k))));
-        let coefficients = entries.iter().map(|entry| self.small(*entry)).collect::<Option<Vec<_>>>()?;
+        let coefficients =
+            entries.iter().map(|entry| self.small_rational(*entry)).collect::<Option<Vec<_>>>()?;
         Some(Polynomial::from_terms(monomials.zip(coefficients)).primitive_part())
     }
 
@@ -172,10 +173,10 @@ impl<'a> Search<'a> {
         quotients.sort_unstable();
         let runs = quotients.chunk_by(|a, b| a == b);
         let longest = runs.max_by_key(|run| run.len()).filter(|run| run.len() > SPARE_POINTS)?;
-        self.small(longest[0])
+        self.small_rational(longest[0])
     }
 
-    fn small(&self, residue: u64) -> Option<Rational> {
+    fn small_rational(&self, residue: u64) -> Option<Rational> {
         let value =
             rational_from_residue(&self.modulus.residue(residue).into(), &self.modulus.prime().into())?;
         let is_small =
@@ -213,7 +214,7 @@ impl<'a> Search<'a> {
         let points: Vec<usize> = (0..self.grid.points.len()).filter(vanishes).collect();
         let ordinary = self.grid.special.iter().filter(|special| !**special).count();
         let share = self.open.len() as f64 / (self.open.len() + ordinary) as f64;
-        let is_chance = libm::pow(share, (own.len() - coefficients) as f64) > CHANCE;
+        let is_chance = libm::pow(share, (own.len() - coefficients) as f64) > MAX_COINCIDENCE_PROBABILITY;
         if is_chance || points.iter().any(|&at| !self.grid.special[at]) {
             return;
         }

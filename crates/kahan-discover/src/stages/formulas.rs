@@ -12,7 +12,7 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SampledStep;
 use crate::modular::matrix::Echelon;
 use crate::modular::monomials::Monomials;
-use crate::orbits::basis::{Basis, candidates, completing, prove};
+use crate::orbits::basis::{Basis, candidates, choose_bases, prove};
 use crate::orbits::hilbert::Hilbert;
 use crate::orbits::relations::Relations;
 use crate::poisson::modified::{Gradients, Modified, add_modified};
@@ -51,7 +51,7 @@ impl Search<'_> {
         let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
         let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
         let in_compact_forms = self.rank(&own.iter().flatten().cloned().collect::<Vec<_>>());
-        let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
+        let in_bases = choose_bases(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let in_bases = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>();
         let are_enough = in_bases.max(in_compact_forms) >= shown;
         let for_formulas = until.integrals.after_share(SHARE_FOR_FORMULAS);
@@ -112,9 +112,9 @@ impl Search<'_> {
         for own in own.iter().flatten() {
             self.extends(&mut gradients, own.clone());
         }
-        let mut bases = completing(&candidates, independent, self.place, &mut gradients, &until.densities);
+        let mut bases = choose_bases(&candidates, independent, self.place, &mut gradients, &until.densities);
         for basis in &mut bases {
-            basis.join(searched, random);
+            basis.join_terms(searched, random);
             basis.proof = prove(basis, searched, self.field, &until.densities);
         }
         for formula in long {

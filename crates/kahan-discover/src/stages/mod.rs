@@ -7,7 +7,7 @@ use self::formulas::Integrals;
 use self::search::{Search, SearchResult};
 use crate::claims::proved::Claims;
 use crate::claims::verdicts::sentences;
-use crate::deadline::{Deadline, Work};
+use crate::deadline::{Deadline, WatchedSearch};
 use crate::drift::{self, drifts};
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
@@ -17,7 +17,9 @@ use crate::orbits::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL, default_degree};
 use crate::orbits::integral_bound::{FEW_TRIALS, IntegralBound, MANY_TRIALS, integral_bound};
 use crate::orbits::plane;
 use crate::poisson::modified::Modified;
-use crate::poisson::structure::{ByRules, FlowIntegrals, by_rules, divergence, flow_integrals, is_even};
+use crate::poisson::structure::{
+    FlowIntegrals, IntegralsByRules, divergence, flow_integrals, integrals_by_rules, is_even,
+};
 use crate::report::{
     Bound, DiscoverError, HamiltonianReport, MOST_READABLE, MOST_VARIABLES, Options, Report, StructureReport,
 };
@@ -42,14 +44,14 @@ use kahan_algebra::system::{Claim, System};
 /// Returns a [`DiscoverError`] if the field has no invertible map or too many variables, or for
 /// wrong options.
 pub fn discover(system: &System, options: &Options, watch: &dyn Watch) -> Result<Report, DiscoverError> {
-    let work = Work::new(watch);
+    let work = WatchedSearch::new(watch);
     discover_within(system, options, &work, &|claim, text| work.found(claim, text))
 }
 
 pub(crate) fn discover_within(
     system: &System,
     options: &Options,
-    work: &Work<'_>,
+    work: &WatchedSearch<'_>,
     tell: &dyn Fn(&Claim, &str),
 ) -> Result<Report, DiscoverError> {
     let [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, end] =
@@ -70,7 +72,11 @@ pub(crate) fn discover_within(
 
     begins("linear and quadratic integrals of the flow");
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
-    let rules = if for_flow.passed() { ByRules::default() } else { by_rules(&searched, &fixed.field) };
+    let rules = if for_flow.passed() {
+        IntegralsByRules::default()
+    } else {
+        integrals_by_rules(&searched, &fixed.field)
+    };
     let proved = rules.proved(&searched, &claims, &mut random.clone());
     for formula in proved.iter().filter(|formula| formula.text.len() <= MOST_READABLE) {
         tell(&formula.claim, &formula.text);
@@ -116,7 +122,7 @@ pub(crate) fn discover_within(
     let until = Deadlines { integrals: for_integrals, densities: for_densities, end: end.clone() };
     let mut found = search.found(hilbert.as_ref(), None, random, &until);
     begins("functions whose next value follows from their value");
-    let until_drifts = Deadline::after(work, end.left().min(drift::SHARE * options.seconds));
+    let until_drifts = Deadline::after(work, end.left().min(drift::TIME_SHARE * options.seconds));
     let drifts = drifts(
         &searched,
         &fixed.field,
@@ -231,7 +237,7 @@ struct Deadlines<'a> {
 }
 
 impl<'a> Deadlines<'a> {
-    fn shares_of(work: &'a Work<'a>, left: f64) -> Self {
+    fn shares_of(work: &'a WatchedSearch<'a>, left: f64) -> Self {
         let after = |share: f64| Deadline::after(work, share * left);
         Deadlines { integrals: after(0.7), densities: after(0.9), end: after(1.0) }
     }

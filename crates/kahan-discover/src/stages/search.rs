@@ -13,7 +13,7 @@ use crate::densities::density::{densities, pfaffian_density};
 use crate::integrals::composition::{CompositionIntegrals, survivors};
 use crate::maps::search_field::{SampledStep, SearchField};
 use crate::orbits::hilbert::Hilbert;
-use crate::poisson::brackets::{Brackets, PoissonTensor, brackets, of_structure, polynomial_tensors};
+use crate::poisson::brackets::{Brackets, PoissonTensor, bracket_of_structure, brackets, polynomial_tensors};
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
@@ -103,7 +103,8 @@ impl Search<'_> {
             None if searched.dimension() < 3 => Vec::new(),
             None => {
                 let structures = self.modified.iter().map(|modified| &modified.found).enumerate();
-                let known = structures.filter_map(|one| of_structure(searched, self.field, one, random));
+                let known =
+                    structures.filter_map(|one| bracket_of_structure(searched, self.field, one, random));
                 let known = known.collect();
                 polynomial_tensors(searched, known, highest, random, until)
             }

@@ -41,11 +41,15 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
                 of_variables(&["least", "greatest"], extrema.iter().map(ends).collect());
             }
             ObservedValue::Exponent(one) => {
-                exponents.push(vec!["largest".to_owned(), known(one.value, one.error), short(one.error)]);
+                exponents.push(vec![
+                    "largest".to_owned(),
+                    known_digits(one.value, one.error),
+                    short(one.error),
+                ]);
             }
             ObservedValue::Spectrum(all) => {
                 for (k, one) in all.iter().enumerate() {
-                    let value = known(one.value, one.error);
+                    let value = known_digits(one.value, one.error);
                     exponents.push(vec![(k + 1).to_string(), value, short(one.error)]);
                 }
                 let sum: f64 = all.iter().map(|exponent| exponent.value).sum();
@@ -58,8 +62,9 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
                 indicators.push(vec![observable.name().to_uppercase(), number(*value)]);
             }
             ObservedValue::Turns(turns) => {
-                let turns =
-                    turns.iter().map(|turns| vec![known(turns.value, turns.error), short(turns.error)]);
+                let turns = turns
+                    .iter()
+                    .map(|turns| vec![known_digits(turns.value, turns.error), short(turns.error)]);
                 of_variables(&["turns a step", "error"], turns.collect());
             }
             ObservedValue::Step(_) | ObservedValue::Passed(_) => {}
@@ -132,7 +137,7 @@ fn number(value: f64) -> String {
 }
 
 /// Writes a value to the decimals that its error leaves unchanged.
-fn known(value: f64, error: f64) -> String {
+fn known_digits(value: f64, error: f64) -> String {
     let places = -libm::log10(error).floor();
     if !(value.is_finite() && (..=8.0).contains(&places)) {
         return number(value);

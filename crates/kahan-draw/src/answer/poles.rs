@@ -6,7 +6,7 @@ use kahan_study::PolesFound;
 use crate::document::Table;
 
 /// The greatest number of characters of a polynomial that is shown in full.
-const LONGEST: usize = 1000;
+const MAX_POLYNOMIAL_LENGTH: usize = 1000;
 
 /// Returns a table with one row for each pattern.
 #[must_use]
@@ -26,7 +26,7 @@ pub fn poles(found: &PolesFound) -> Table {
         };
         let place = match &pattern.curve {
             Some(curve) => match pattern.name(&found.symbols) {
-                text if text.len() <= LONGEST => text,
+                text if text.len() <= MAX_POLYNOMIAL_LENGTH => text,
                 _ => format!(
                     "a polynomial of degree {} with {} terms",
                     found.symbols.degree(curve),

@@ -1,6 +1,6 @@
 //! Rewrites plain text with typographic signs.
 
-use crate::plot::{lowered, raised};
+use crate::plot::{subscript, superscript};
 
 const GREEK: [(&str, char); 13] = [
     ("alpha", 'α'),
@@ -47,7 +47,7 @@ fn digits(text: &str) -> &str {
 fn power(text: &str) -> Option<(String, usize)> {
     let after = text.strip_prefix('-').unwrap_or(text);
     let length = text.len() - after.len() + digits(after).len();
-    (!digits(after).is_empty()).then(|| (raised(&text[..length]), length))
+    (!digits(after).is_empty()).then(|| (superscript(&text[..length]), length))
 }
 
 /// Reads the index after `_`. Returns the index and its length in bytes.
@@ -55,7 +55,7 @@ fn index(text: &str) -> Option<(String, usize)> {
     match digits(text) {
         "" => (text.starts_with('n') && !text[1..].starts_with(char::is_alphanumeric))
             .then(|| ("ₙ".to_owned(), 1)),
-        index => Some((lowered(index), index.len())),
+        index => Some((subscript(index), index.len())),
     }
 }
 
@@ -70,7 +70,7 @@ fn sign(before: Option<char>, after: &str) -> Option<&'static str> {
 fn number(text: &str) -> Option<(String, usize)> {
     if let Some(after) = text.strip_prefix("1e-") {
         let exponent = digits(after);
-        return (!exponent.is_empty()).then(|| (format!("10⁻{}", raised(exponent)), 3 + exponent.len()));
+        return (!exponent.is_empty()).then(|| (format!("10⁻{}", superscript(exponent)), 3 + exponent.len()));
     }
     let whole = digits(text);
     let decimals = digits(text[whole.len()..].strip_prefix('.')?);
@@ -94,7 +94,7 @@ fn word(word: &str) -> String {
             None => return word.to_owned(),
         },
     };
-    format!("{letter}{}", lowered(&word[stem.len()..]))
+    format!("{letter}{}", subscript(&word[stem.len()..]))
 }
 
 #[cfg(test)]

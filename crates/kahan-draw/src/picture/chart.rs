@@ -116,7 +116,7 @@ impl Chart {
         counts.into_iter().filter(|(_, count)| *count > 0).collect()
     }
 
-    fn early(&self) -> String {
+    fn early_ends(&self) -> String {
         let words = |(name, count): &(&str, usize)| match *name {
             "escaped" => format!("{count} escaped"),
             _ => format!("{count} left the range of doubles"),
@@ -133,7 +133,7 @@ impl Chart {
         let (low, high) = (numbers().fold(f64::MAX, f64::min), numbers().fold(f64::MIN, f64::max));
         let value = if self.is_logarithm { libm::exp10(low) } else { low };
         match high - low {
-            length if length < 0.0 => format!("every cell is empty{}", self.early()),
+            length if length < 0.0 => format!("every cell is empty{}", self.early_ends()),
             _ if self.is_logarithm && high <= libm::log10(ROUNDING) => {
                 "no more than rounding in all cells".to_owned()
             }
@@ -145,8 +145,8 @@ impl Chart {
                 let beyond = (beyond > 0).then(|| {
                     format!("values from {low:.3} to {high:.3}, {beyond} of them beyond the colours")
                 });
-                let empty =
-                    (empty > 0 && scale.is_some()).then(|| format!("{empty} cells empty{}", self.early()));
+                let empty = (empty > 0 && scale.is_some())
+                    .then(|| format!("{empty} cells empty{}", self.early_ends()));
                 beyond.into_iter().chain(empty).collect::<Vec<_>>().join("; ")
             }
         }

@@ -16,12 +16,13 @@ pub fn trade_canvas() -> Canvas {
 /// Draws all settings whose error is at most 10.
 #[must_use]
 pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
-    const LARGEST: f64 = 10.0;
+    const LARGEST_ERROR: f64 = 10.0;
 
     let what = traded.error_name();
     // An error of 0 has no logarithm.
     let shown = traded.settings.iter().filter(|measured| place(measured).1.is_finite());
-    let (shown, beyond): (Vec<&Measured>, Vec<_>) = shown.partition(|measured| measured.error() <= LARGEST);
+    let (shown, beyond): (Vec<&Measured>, Vec<_>) =
+        shown.partition(|measured| measured.error() <= LARGEST_ERROR);
     let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {
         let mut points: Vec<_> =
             shown.iter().filter(|setting| chosen(setting)).map(|measured| place(measured)).collect();
@@ -68,7 +69,7 @@ pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
     series.retain(|series| !series.points.is_empty());
     let note = match beyond.len() {
         0 => String::new(),
-        count => format!("not shown: {count} with errors above {LARGEST}"),
+        count => format!("not shown: {count} with errors above {LARGEST_ERROR}"),
     };
     let [x, y] = [x, y].map(|line| NumberLine { marks: TickKind::Powers, ..line });
     Picture::of(&Plot {

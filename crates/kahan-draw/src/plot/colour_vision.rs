@@ -27,7 +27,7 @@ pub(super) fn linear(byte: u8) -> f64 {
     if c <= 0.04045 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) }
 }
 
-pub(super) fn seen(colour: Linear, kind: ColourVision) -> Linear {
+pub(super) fn simulated(colour: Linear, kind: ColourVision) -> Linear {
     let rows = match kind {
         ColourVision::All => return colour,
         ColourVision::NoLong => [

@@ -146,7 +146,7 @@ impl Format {
 }
 
 impl Canvas {
-    const INCH: f64 = 300.0;
+    const PIXELS_PER_INCH: f64 = 300.0;
     /// The width and height in pixels of a picture that fills a printed column of 86 mm.
     pub const COLUMN: (u32, u32) = (1016, 762);
 
@@ -156,7 +156,7 @@ impl Canvas {
     pub fn new(pixels: (u32, u32), theme: Theme) -> Self {
         let (width, height) = (f64::from(pixels.0), f64::from(pixels.1));
         let (scale, least) = match theme {
-            Theme::Paper => (100.0 / Canvas::INCH, (240.0, 180.0)),
+            Theme::Paper => (100.0 / Canvas::PIXELS_PER_INCH, (240.0, 180.0)),
             _ => (480.0 / width, (480.0, 260.0)),
         };
         let scale = scale.max(least.0 / width).max(least.1 / height);
@@ -176,9 +176,11 @@ impl Canvas {
 
     /// Returns the width and height of an SVG file, in millimetres for print and else in pixels.
     fn lengths(&self) -> [String; 2] {
-        const MILLIMETRES: f64 = 25.4;
+        const MILLIMETRES_PER_INCH: f64 = 25.4;
         [self.pixels.0, self.pixels.1].map(|pixels| match self.theme {
-            Theme::Paper => format!("{:.2}mm", f64::from(pixels) / Canvas::INCH * MILLIMETRES),
+            Theme::Paper => {
+                format!("{:.2}mm", f64::from(pixels) / Canvas::PIXELS_PER_INCH * MILLIMETRES_PER_INCH)
+            }
             _ => pixels.to_string(),
         })
     }

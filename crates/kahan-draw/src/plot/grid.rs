@@ -4,12 +4,12 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use maud::{Markup, html};
 
-use super::label::{SMALL, text, width};
+use super::label::{SMALL_FONT_SIZE, text, width};
 use super::legend::Legend;
 use super::palette::Paint;
 use super::path::{line, tenths};
 use super::ramp::{Rgb, colour};
-use super::{Canvas, Drawing, Frame, NumberLine, name, placed};
+use super::{Canvas, Drawing, Frame, NumberLine, name, placed_labels};
 
 /// A number for each cell of a rectangle.
 #[derive(Clone, Debug)]
@@ -48,12 +48,12 @@ impl Grid {
         let cells: Vec<u8> = self.values.chunks(columns).rev().flatten().map(|v| self.index(*v)).collect();
         let note = Legend::of(&[], &self.note, self.sheet);
         let frame = |beside: f64| Frame::around(self.sheet, note.height(), beside, &self.x, &self.y);
-        let values = frame(0.0).up(&self.scale);
-        let widest = values.iter().map(|(_, value)| width(value, SMALL)).fold(0.0, f64::max);
+        let values = frame(0.0).y_labels(&self.scale);
+        let widest = values.iter().map(|(_, value)| width(value, SMALL_FONT_SIZE)).fold(0.0, f64::max);
         let frame = frame(COLUMN[1] + 7.0 + widest + NAME);
         let Frame { left, right, top, bottom, .. } = frame;
         let body = html! {
-            (frame.across(&self.x, &self.y))
+            (frame.grid_lines(&self.x, &self.y))
             (image([left, top, right, bottom], (columns, rows), &cells))
             (frame.axes(&self.x, &self.y))
             (self.colours(&frame))
@@ -73,9 +73,10 @@ impl Grid {
     fn colours(&self, frame: &Frame) -> Markup {
         let [left, right] = COLUMN.map(|beside| frame.right + beside);
         let colours: Vec<u8> = (0..COLOURS as u8).rev().collect();
-        let ticks = placed(&self.scale, |value| (right, self.scale.place(value, frame.bottom, frame.top)));
+        let ticks =
+            placed_labels(&self.scale, |value| (right, self.scale.place(value, frame.bottom, frame.top)));
         let marks = html! { @for ((_, y), _) in &ticks { (line((right, *y), (right + 4.0, *y))) } };
-        let values = html! { @for ((_, y), value) in &ticks { (text((right + 7.0, y + 4.2), 0, "start", SMALL, value)) } };
+        let values = html! { @for ((_, y), value) in &ticks { (text((right + 7.0, y + 4.2), 0, "start", SMALL_FONT_SIZE, value)) } };
         let beside = (self.sheet.view_box.0 - 16.0, (frame.top + frame.bottom) / 2.0);
         html! {
             (image([left, frame.top, right, frame.bottom], (1, COLOURS), &colours))

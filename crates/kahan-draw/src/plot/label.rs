@@ -4,13 +4,13 @@
 use maud::{Markup, html};
 
 use super::path::{Place, tenths};
-use super::script::{LOWERED, RAISED};
+use super::script::{SUBSCRIPTS, SUPERSCRIPTS};
 
 /// The font size of tick labels and legends, which is 8.6 points in print.
-pub(super) const SMALL: f64 = 12.0;
-pub(super) const LARGE: f64 = 13.0;
+pub(super) const SMALL_FONT_SIZE: f64 = 12.0;
+pub(super) const LARGE_FONT_SIZE: f64 = 13.0;
 /// The smallest font size, which is 6 points in print.
-const LEAST: f64 = 8.4;
+const LEAST_FONT_SIZE: f64 = 8.4;
 
 /// Returns the width of a label in DejaVu Sans, a wide common font.
 pub(super) fn width(words: &str, size: f64) -> f64 {
@@ -20,11 +20,11 @@ pub(super) fn width(words: &str, size: f64) -> f64 {
         'A'..='Z' => 0.75,
         _ => 0.64,
     };
-    words.chars().map(|c| script(c).map_or(size * part(c), |(_, c)| small(size) * part(c))).sum()
+    words.chars().map(|c| style_of(c).map_or(size * part(c), |(_, c)| small(size) * part(c))).sum()
 }
 
 fn small(size: f64) -> f64 {
-    (0.7 * size).max(LEAST)
+    (0.7 * size).max(LEAST_FONT_SIZE)
 }
 
 const USUAL: f64 = 0.92;
@@ -36,8 +36,8 @@ pub(super) fn reach(words: &str, size: f64) -> f64 {
 }
 
 /// Shrinks a label to the width `room`. Text that would become too small is shortened.
-pub(super) fn fitted(words: &str, size: f64, room: f64) -> (String, f64) {
-    let smaller = (size * (room / 2.0 / reach(words, size)).clamp(0.7, 1.0)).max(LEAST);
+pub(super) fn fit_to_width(words: &str, size: f64, room: f64) -> (String, f64) {
+    let smaller = (size * (room / 2.0 / reach(words, size)).clamp(0.7, 1.0)).max(LEAST_FONT_SIZE);
     let mut shown = words.to_owned();
     while 2.0 * reach(&shown, smaller) > room && shown.chars().count() > 2 {
         let count = shown.chars().count();
@@ -65,21 +65,24 @@ impl FontStyle {
     }
 }
 
-fn script(c: char) -> Option<(FontStyle, char)> {
+fn style_of(c: char) -> Option<(FontStyle, char)> {
     let digit = |index: usize, tenth: char| char::from_digit(index as u32, 10).unwrap_or(tenth);
-    let raised = RAISED.iter().position(|raised| *raised == c).map(|i| (FontStyle::Raised, digit(i, '−')));
-    raised.or_else(|| LOWERED.iter().position(|low| *low == c).map(|i| (FontStyle::Lowered, digit(i, 'n'))))
+    let raised =
+        SUPERSCRIPTS.iter().position(|raised| *raised == c).map(|i| (FontStyle::Raised, digit(i, '−')));
+    raised
+        .or_else(|| SUBSCRIPTS.iter().position(|low| *low == c).map(|i| (FontStyle::Lowered, digit(i, 'n'))))
 }
 
-fn parts(words: &str) -> Vec<(FontStyle, String)> {
+fn styled_parts(words: &str) -> Vec<(FontStyle, String)> {
     let letters: Vec<char> = words.chars().collect();
-    let is_word =
-        |i: usize| letters.get(i).is_some_and(|c| (c.is_alphanumeric() || *c == '_') && script(*c).is_none());
+    let is_word = |i: usize| {
+        letters.get(i).is_some_and(|c| (c.is_alphanumeric() || *c == '_') && style_of(*c).is_none())
+    };
     let mut parts: Vec<(FontStyle, String)> = Vec::new();
     for (i, &letter) in letters.iter().enumerate() {
         let stands_alone = letter.is_alphabetic() && !(is_word(i + 1) || i > 0 && is_word(i - 1));
         let plain = if stands_alone { FontStyle::Italic } else { FontStyle::Upright };
-        let (set, letter) = script(letter).unwrap_or((plain, letter));
+        let (set, letter) = style_of(letter).unwrap_or((plain, letter));
         match parts.last_mut() {
             Some((before, part)) if *before == set => part.push(letter),
             _ => parts.push((set, letter.to_string())),
@@ -94,7 +97,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
         (turn != 0).then(|| format!("translate({} {}) rotate({turn})", tenths(at.0), tenths(at.1)));
     let (x, y) = if turn == 0 { at } else { (0.0, 0.0) };
     let italic = |set: FontStyle| (set == FontStyle::Italic).then_some("italic");
-    let parts = parts(words);
+    let parts = styled_parts(words);
     if let [(set, part)] = &parts[..] {
         return html! {
             text transform=[transform] x=(tenths(x)) y=(tenths(y)) text-anchor=(anchor) font-size=(tenths(size)) font-style=[italic(*set)] {
@@ -126,7 +129,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
 
 #[cfg(test)]
 mod tests {
-    use super::{LEAST, fitted, text, width};
+    use super::{LEAST_FONT_SIZE, fit_to_width, text, width};
 
     #[test]
     fn variables_are_italic_and_words_and_numbers_are_not() {
@@ -144,8 +147,8 @@ mod tests {
     fn what_is_too_long_is_smaller_and_then_cut() {
         let words = "a long name of an axis";
         for room in [20.0, 60.0, 100.0, 170.0, 900.0] {
-            let (shown, size) = fitted(words, 13.0, room);
-            assert!(width(&shown, size) <= room && size >= LEAST, "{room}: {shown} at {size}");
+            let (shown, size) = fit_to_width(words, 13.0, room);
+            assert!(width(&shown, size) <= room && size >= LEAST_FONT_SIZE, "{room}: {shown} at {size}");
             assert_eq!(shown == words, room > 150.0, "{room}: {shown}");
         }
     }

@@ -2,13 +2,13 @@
 
 use maud::{Markup, html};
 
-use super::label::{SMALL, fitted, text, width};
+use super::label::{SMALL_FONT_SIZE, fit_to_width, text, width};
 use super::palette::Paint;
 use super::path::Place;
 use super::{Canvas, Series};
 
-const SAMPLE: f64 = 20.0;
-const LINE: f64 = 14.5;
+const SAMPLE_WIDTH: f64 = 20.0;
+const LINE_HEIGHT: f64 = 14.5;
 const FREE: f64 = 8.0;
 
 pub(super) struct Legend<'a> {
@@ -25,11 +25,11 @@ impl<'a> Legend<'a> {
         let notes = Some(note).filter(|note| !note.is_empty()).map(|note| (note, None));
         let (room, mut x, mut y) = (sheet.view_box.0 - 2.0 * FREE, 0.0, 0.0);
         let entry = |(words, series): (&str, Option<&'a Series>)| {
-            let sample = if series.is_some() { SAMPLE + 5.0 } else { 0.0 };
-            let (words, size) = fitted(words, SMALL, room - sample);
+            let sample = if series.is_some() { SAMPLE_WIDTH + 5.0 } else { 0.0 };
+            let (words, size) = fit_to_width(words, SMALL_FONT_SIZE, room - sample);
             let long = sample + width(&words, size);
             if x + long > room {
-                (x, y) = (0.0, y + LINE);
+                (x, y) = (0.0, y + LINE_HEIGHT);
             }
             let place = (FREE + x + sample, FREE + 8.0 + y);
             x += long + 10.0;
@@ -44,7 +44,7 @@ impl<'a> Legend<'a> {
 
     pub(super) fn drawn(&self) -> Markup {
         let sample = |(x, y): Place, series: &Series| {
-            let along = |part: f64| (x - 5.0 - SAMPLE * part, y - 4.0);
+            let along = |part: f64| (x - 5.0 - SAMPLE_WIDTH * part, y - 4.0);
             series.shape(self.sheet.theme, &[vec![along(1.0), along(0.0)]], &[along(0.5)])
         };
         html! {

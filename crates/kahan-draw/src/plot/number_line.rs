@@ -2,7 +2,7 @@
 //! them. Very large or small values are divided by a power of ten. The name of the axis states the
 //! number and the power.
 
-use super::script::raised;
+use super::script::superscript;
 
 /// An axis.
 #[derive(Clone, Debug)]
@@ -89,8 +89,8 @@ impl NumberLine {
         };
         match self.power() {
             0 => label,
-            power if is_one => format!("{label} / 10{}", raised(power)),
-            power => format!("({label}) / 10{}", raised(power)),
+            power if is_one => format!("{label} / 10{}", superscript(power)),
+            power => format!("({label}) / 10{}", superscript(power)),
         }
     }
 
@@ -152,7 +152,7 @@ impl NumberLine {
         let decimals = if is_whole(size) { size } else { size + 1 };
         let round = |value: f64| if value.abs() < step / 2.0 { 0.0 } else { value };
         let text = |value: f64| match self.marks {
-            TickKind::Powers if self.has_powers() => format!("10{}", raised(value.round() as i32)),
+            TickKind::Powers if self.has_powers() => format!("10{}", superscript(value.round() as i32)),
             _ => decimal(round(value - offset) * scale, decimals),
         };
         ticks.map(round).map(|value| Tick { value, text: text(value) }).collect()
@@ -186,7 +186,7 @@ fn number(value: f64) -> String {
     if (-3..9).contains(&power) {
         return rounded.to_string();
     }
-    format!("{}×10{}", digits.trim_end_matches('0').trim_end_matches('.'), raised(power))
+    format!("{}×10{}", digits.trim_end_matches('0').trim_end_matches('.'), superscript(power))
 }
 
 #[cfg(test)]

@@ -164,7 +164,7 @@ pub(crate) fn variables() -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::colour_vision::{KINDS, contrast, distance, lab, rgb, seen};
+    use super::super::colour_vision::{KINDS, contrast, distance, lab, rgb, simulated};
     use super::{CURVES, PAPER, Paint, Theme, style};
 
     #[test]
@@ -177,7 +177,7 @@ mod tests {
                 for (j, &other) in curves.iter().enumerate().skip(i + 1) {
                     for kind in KINDS {
                         // The smallest visible distance is about 2.
-                        let apart = distance(seen(one, kind), seen(other, kind));
+                        let apart = distance(simulated(one, kind), simulated(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }
                     let grey = (lab(one)[0] - lab(other)[0]).abs();

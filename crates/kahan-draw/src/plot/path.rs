@@ -28,7 +28,7 @@ pub(super) fn rings(places: &[Place], radius: f64) -> String {
 }
 
 /// The path of a dot. Some programs omit paths of length 0.
-const DOT: &str = "h.01";
+const DOT_PATH: &str = "h.01";
 
 /// Returns the path of a line. Equal neighbours are merged, and a single position becomes a dot.
 pub(super) fn polyline(places: &[Place]) -> String {
@@ -43,7 +43,7 @@ pub(super) fn polyline(places: &[Place]) -> String {
         }
     }
     if before.is_some() && !path.contains('L') {
-        path += DOT;
+        path += DOT_PATH;
     }
     path
 }
@@ -67,7 +67,7 @@ pub(super) fn dots(places: &[Place]) -> String {
             (units, cells) = (coarser, distinct(coarser));
         }
     }
-    let dot = if cells.len() == 1 { DOT } else { "h0" };
+    let dot = if cells.len() == 1 { DOT_PATH } else { "h0" };
     cells.into_iter().fold(String::new(), |mut path, (x, y)| {
         let _ = write!(path, "M{} {}{dot}", tenths(x as f64 * units), tenths(y as f64 * units));
         path

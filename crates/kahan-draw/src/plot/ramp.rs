@@ -3,7 +3,7 @@
 
 pub(super) type Rgb = [u8; 3];
 
-const EIGHTHS: [Rgb; 9] = [
+const COLOURS_AT_EIGHTHS: [Rgb; 9] = [
     [0x44, 0x01, 0x54],
     [0x47, 0x2d, 0x7b],
     [0x3b, 0x52, 0x8b],
@@ -16,11 +16,12 @@ const EIGHTHS: [Rgb; 9] = [
 ];
 
 pub(super) fn colour(part: f64) -> Rgb {
-    let at = part.clamp(0.0, 1.0) * (EIGHTHS.len() - 1) as f64;
-    let below = (at as usize).min(EIGHTHS.len() - 2);
+    let at = part.clamp(0.0, 1.0) * (COLOURS_AT_EIGHTHS.len() - 1) as f64;
+    let below = (at as usize).min(COLOURS_AT_EIGHTHS.len() - 2);
     let share = at - below as f64;
     let between = |i: usize| {
-        let (from, to) = (f64::from(EIGHTHS[below][i]), f64::from(EIGHTHS[below + 1][i]));
+        let (from, to) =
+            (f64::from(COLOURS_AT_EIGHTHS[below][i]), f64::from(COLOURS_AT_EIGHTHS[below + 1][i]));
         (from + share * (to - from)).round() as u8
     };
     [between(0), between(1), between(2)]
@@ -28,14 +29,14 @@ pub(super) fn colour(part: f64) -> Rgb {
 
 #[cfg(test)]
 mod tests {
-    use super::super::colour_vision::{ColourVision, KINDS, lab, linear, seen};
+    use super::super::colour_vision::{ColourVision, KINDS, lab, linear, simulated};
     use super::colour;
 
     #[test]
     fn lightness_grows_for_every_kind_of_sight_and_evenly_with_two_kinds_of_cones() {
         for kind in KINDS {
             let light: Vec<f64> =
-                (0..=64).map(|i| lab(seen(colour(f64::from(i) / 64.0).map(linear), kind))[0]).collect();
+                (0..=64).map(|i| lab(simulated(colour(f64::from(i) / 64.0).map(linear), kind))[0]).collect();
             let mean = (light[64] - light[0]) / 64.0;
             assert!(mean > 1.0, "{kind:?}: {mean}");
             for step in light.windows(2).map(|pair| pair[1] - pair[0]) {

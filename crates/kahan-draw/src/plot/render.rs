@@ -41,10 +41,10 @@ pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, DrawingFileError> {
     use krilla_svg::{SurfaceExt, SvgSettings};
 
     /// The number of points (1/72 inch) in a CSS pixel (1/96 inch).
-    const POINTS: f32 = 0.75;
+    const POINTS_PER_PIXEL: f32 = 0.75;
 
     let tree = read(svg)?;
-    let (width, height) = (POINTS * tree.size().width(), POINTS * tree.size().height());
+    let (width, height) = (POINTS_PER_PIXEL * tree.size().width(), POINTS_PER_PIXEL * tree.size().height());
     let size = Size::from_wh(width, height).zip(PageSettings::from_wh(width, height));
     let (size, page) =
         size.ok_or_else(|| DrawingFileError::Renderer(format!("{width}x{height} is no size")))?;

@@ -4,10 +4,10 @@ use std::cell::Cell;
 
 use maud::{Markup, html};
 
-use super::label::{LARGE, SMALL, text, width};
+use super::label::{LARGE_FONT_SIZE, SMALL_FONT_SIZE, text, width};
 use super::palette::Paint;
 use super::path::{Place, dots, line, polyline, stroked};
-use super::{Canvas, Drawing, Mark, NumberLine, Theme, grid, name, placed};
+use super::{Canvas, Drawing, Mark, NumberLine, Theme, grid, name, placed_labels};
 
 /// Points in space drawn in one style.
 #[derive(Clone, Debug)]
@@ -34,25 +34,29 @@ pub struct SpacePlot {
     pub clouds: Vec<SpaceSeries>,
 }
 
-const RIGHT: f64 = 16.0;
-const TOP: f64 = 10.0;
-const BOTTOM: f64 = 40.0;
-const LINE: f64 = 1.4;
-const THIN: f64 = 0.7;
-const TURN: f64 = 0.62;
-const TILT: f64 = 0.5;
+const RIGHT_MARGIN: f64 = 16.0;
+const TOP_MARGIN: f64 = 10.0;
+const BOTTOM_MARGIN: f64 = 40.0;
+const LINE_WIDTH: f64 = 1.4;
+const THIN_LINE_WIDTH: f64 = 0.7;
+const AZIMUTH: f64 = 0.62;
+const ELEVATION: f64 = 0.5;
 /// The number of depth layers. Each layer has one line width.
-const LAYERS: usize = 24;
+const DEPTH_LAYERS: usize = 24;
 /// The ratio of the longest to the shortest edge beyond which the box is stretched.
-const SLENDER: f64 = 4.0;
-const BROAD: f64 = 2.0;
+const STRETCH_RATIO: f64 = 4.0;
+const MAX_STRETCHED_WIDTH: f64 = 2.0;
 
 /// Rotates a point into the directions right, up and towards the eye. The eye is in front of the
 /// box, slightly to the right and above.
-fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
+fn rotated([x, y, z]: [f64; 3]) -> [f64; 3] {
     let (right, back) =
-        (x * libm::cos(TURN) - y * libm::sin(TURN), x * libm::sin(TURN) + y * libm::cos(TURN));
-    [right, z * libm::cos(TILT) + back * libm::sin(TILT), z * libm::sin(TILT) - back * libm::cos(TILT)]
+        (x * libm::cos(AZIMUTH) - y * libm::sin(AZIMUTH), x * libm::sin(AZIMUTH) + y * libm::cos(AZIMUTH));
+    [
+        right,
+        z * libm::cos(ELEVATION) + back * libm::sin(ELEVATION),
+        z * libm::sin(ELEVATION) - back * libm::cos(ELEVATION),
+    ]
 }
 
 struct View {
@@ -71,16 +75,17 @@ impl View {
         let (short, long) =
             (lengths.into_iter().fold(f64::MAX, f64::min), lengths.into_iter().fold(0.0, f64::max));
         let reach = |stretch: [f64; 3]| -> [f64; 3] {
-            let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch)).map(f64::abs));
+            let corners = (0..8).map(|bits| rotated(half_diagonal(bits, lengths, stretch)).map(f64::abs));
             corners.fold([0.0; 3], |far, corner| std::array::from_fn(|i| far[i].max(corner[i])))
         };
         let left = 27.0 + (7.0 + widest(&axes[2])).max(14.0 + widest(&axes[1]) / 2.0);
-        let right = RIGHT.max(12.0 + widest(&axes[0]) / 2.0);
-        let (width, height) = (size.0 - left - right, size.1 - TOP - BOTTOM);
+        let right = RIGHT_MARGIN.max(12.0 + widest(&axes[0]) / 2.0);
+        let (width, height) = (size.0 - left - right, size.1 - TOP_MARGIN - BOTTOM_MARGIN);
         let scale = |reach: [f64; 3]| (width / 2.0 / reach[0]).min(height / 2.0 / reach[1]);
-        let stretch = if long > SLENDER * short {
+        let stretch = if long > STRETCH_RATIO * short {
             let broad = |by: f64| [by / lengths[0], by / lengths[1], 1.0 / lengths[2]];
-            let boxes = (0..=10).map(|part| broad(1.0 + (BROAD - 1.0) * f64::from(part) / 10.0));
+            let boxes =
+                (0..=10).map(|part| broad(1.0 + (MAX_STRETCHED_WIDTH - 1.0) * f64::from(part) / 10.0));
             let area = |stretch: [f64; 3]| {
                 let reach = reach(stretch);
                 reach[0] * reach[1] * scale(reach).powi(2)
@@ -91,25 +96,25 @@ impl View {
         };
         let reach = reach(stretch);
         let (scale, depth) = (scale(reach), reach[2]);
-        let centre = (left + width / 2.0, TOP + height / 2.0);
+        let centre = (left + width / 2.0, TOP_MARGIN + height / 2.0);
         View { centre, middle, stretch, scale, depth }
     }
 
-    fn turned(&self, point: [f64; 3]) -> [f64; 3] {
-        turned(std::array::from_fn(|i| (point[i] - self.middle[i]) * self.stretch[i]))
+    fn rotated(&self, point: [f64; 3]) -> [f64; 3] {
+        rotated(std::array::from_fn(|i| (point[i] - self.middle[i]) * self.stretch[i]))
     }
 
     fn place(&self, point: [f64; 3]) -> Place {
-        let [right, up, _] = self.turned(point);
+        let [right, up, _] = self.rotated(point);
         (self.centre.0 + self.scale * right, self.centre.1 - self.scale * up)
     }
 
     fn nearness(&self, point: [f64; 3]) -> f64 {
-        (self.turned(point)[2] / self.depth + 1.0) / 2.0
+        (self.rotated(point)[2] / self.depth + 1.0) / 2.0
     }
 
     fn layer(&self, point: [f64; 3]) -> usize {
-        ((self.nearness(point) * LAYERS as f64) as usize).min(LAYERS - 1)
+        ((self.nearness(point) * DEPTH_LAYERS as f64) as usize).min(DEPTH_LAYERS - 1)
     }
 }
 
@@ -117,7 +122,7 @@ impl View {
 fn widest(axis: &NumberLine) -> f64 {
     let most = Cell::new(0.0_f64);
     axis.ticks(|ticks| {
-        ticks.iter().for_each(|tick| most.set(most.get().max(width(&tick.text, SMALL))));
+        ticks.iter().for_each(|tick| most.set(most.get().max(width(&tick.text, SMALL_FONT_SIZE))));
         false
     });
     most.get()
@@ -126,12 +131,12 @@ fn widest(axis: &NumberLine) -> f64 {
 /// Returns the width of lines or dots in a layer, given the width in the middle layer.
 fn width_in(layer: usize, middle: f64) -> f64 {
     const AT_THE_BACK: f64 = 0.7;
-    let nearness = (layer as f64 + 0.5) / LAYERS as f64;
+    let nearness = (layer as f64 + 0.5) / DEPTH_LAYERS as f64;
     middle * (AT_THE_BACK + 2.0 * (1.0 - AT_THE_BACK) * nearness)
 }
 
 /// Returns the vector from the middle to a corner. Set bits select the larger ends of axes.
-fn half(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
+fn half_diagonal(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| lengths[i] * stretch[i] * if bits >> i & 1 == 1 { 0.5 } else { -0.5 })
 }
 
@@ -142,7 +147,7 @@ impl SpacePlot {
         let view = View::of(&self.axes, self.sheet.view_box);
         let body = html! {
             (self.edges(&view))
-            @for layer in 0..LAYERS {
+            @for layer in 0..DEPTH_LAYERS {
                 @for cloud in &self.clouds { (self.cloud(&view, cloud, layer)) }
             }
             (self.names(&view))
@@ -200,7 +205,7 @@ impl SpacePlot {
         };
         let (mark, theme) = (cloud.mark, self.sheet.theme);
         let dashes = mark.dashes(cloud.colour).filter(|_| theme == Theme::Paper);
-        let middle = theme.line(if mark == Mark::Thin { THIN } else { LINE });
+        let middle = theme.line(if mark == Mark::Thin { THIN_LINE_WIDTH } else { LINE_WIDTH });
         Paint::curve(cloud.colour).group(theme, &html! {
             @if mark.has_line() { (stroked("line", &lines(), width_in(layer, middle), dashes)) }
             @if let Some(dot) = mark.dot() { (stroked("dots", &dots(&places(&here)), width_in(layer, theme.line(dot)), None)) }
@@ -221,8 +226,8 @@ impl SpacePlot {
         let mut boxes: Vec<[f64; 4]> = Vec::new();
         let mut values = Vec::new();
         for axis in [2, 0, 1] {
-            for (place, value) in placed(&self.axes[axis], |value| beside(axis, value, BESIDE[axis])) {
-                let long = width(&value, SMALL);
+            for (place, value) in placed_labels(&self.axes[axis], |value| beside(axis, value, BESIDE[axis])) {
+                let long = width(&value, SMALL_FONT_SIZE);
                 let left = place.0 - if axis == 2 { long } else { long / 2.0 };
                 let own = [left - 4.0, place.1 - 11.0, left + long + 4.0, place.1 + 2.0];
                 if boxes.iter().all(|other| (0..2).any(|i| own[i] > other[i + 2] || other[i] > own[i + 2])) {
@@ -238,7 +243,7 @@ impl SpacePlot {
             let out = right + right.signum() * widest(&self.axes[axis]) / 2.0;
             let (x, y) = beside(axis, middle(axis), (out, down));
             // A long name would overlap tick labels.
-            let is_long = width(&named, LARGE) > 2.0 * LARGE;
+            let is_long = width(&named, LARGE_FONT_SIZE) > 2.0 * LARGE_FONT_SIZE;
             let room = if axis == 0 { [corner, across] } else { [0.0, corner] };
             name(
                 self.sheet.theme,
@@ -253,7 +258,7 @@ impl SpacePlot {
         let foot = view.place(self.corner(AXES[2].0)).1;
         html! {
             (Paint::TICKS.group(theme, &html! {
-                @for (place, anchor, value) in &values { (text(*place, 0, anchor, SMALL, value)) }
+                @for (place, anchor, value) in &values { (text(*place, 0, anchor, SMALL_FONT_SIZE, value)) }
             }))
             (below(0)) (below(1))
             (name(theme, [0.0, foot], (leftmost - 4.0, y), -90, &self.axes[2].name()))

@@ -11,7 +11,7 @@ use kahan_core::nalgebra::SVector;
 
 use kahan_core::{Dd, FloatScalar, QuadraticField};
 
-use piece::Piece;
+use piece::TaylorPiece;
 use series::Expansion;
 pub(crate) use series::SeriesScalar;
 
@@ -37,7 +37,7 @@ pub(crate) use series::SeriesScalar;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Flow<T> {
-    pieces: Vec<Piece<T>>,
+    pieces: Vec<TaylorPiece<T>>,
     end: f64,
     /// The number of leading variables that distances and the scale include.
     measured: usize,
@@ -109,7 +109,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             }
             let series = expansion.at(x, rate);
             rate = 1.0 / series.radius;
-            flow.pieces.push(Piece::of(&series, t));
+            flow.pieces.push(TaylorPiece::of(&series, t));
             // Steps are of type `f64`, so that sums of many steps are exact in double-double.
             let step = series.reach().min(2.0 * last);
             // Near a pole each step is a fixed fraction of the remaining time, so very short steps
@@ -203,13 +203,13 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         FlowDistance { flow: self, piece: 0, value: [T::zero(); N] }
     }
 
-    fn piece_at(&self, t: Dd) -> &Piece<T> {
+    fn piece_at(&self, t: Dd) -> &TaylorPiece<T> {
         let later = self.pieces.partition_point(|piece| piece.start <= t);
         &self.pieces[later.saturating_sub(1)]
     }
 
     #[inline(always)]
-    fn measure(&self, piece: &Piece<T>, t: Dd, x: &[Dd], value: &mut [T]) -> f64 {
+    fn measure(&self, piece: &TaylorPiece<T>, t: Dd, x: &[Dd], value: &mut [T]) -> f64 {
         piece.value(t, value);
         let apart =
             value.iter().zip(x).take(self.measured).map(|(value, x)| f64::from((*x - (*value).into()).abs()));

@@ -8,7 +8,7 @@ use kahan_core::nalgebra::{DMatrix, DVector};
 use super::Parametric;
 use super::changes::{BranchChange, BranchSegment, ChangePoint};
 use super::cycle::PeriodicPoint;
-use super::newton::{NOTHING, defect, least_norm, slope};
+use super::newton::{NEGLIGIBLE_RESIDUAL, defect, least_norm_solution, slope};
 use super::unit::{self, LengthUnit, ScaledMap};
 
 /// A cycle on a branch.
@@ -101,7 +101,7 @@ pub fn branch<M: Parametric>(
     see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
 ) -> Branch {
     let length = to - from;
-    let arc = Arc { unit: LengthUnit::of(first_size(&map(from), cycle, length)), map, from, length };
+    let arc = CycleCurve { unit: LengthUnit::of(first_size(&map(from), cycle, length)), map, from, length };
     let points = cycle.points.iter().flatten().map(|x| x / arc.unit.length);
     let place = DVector::from_vec(points.chain([0.0]).collect());
     follow(&arc, place, steps, see)
@@ -119,7 +119,7 @@ pub(super) fn follow(
     let mut branch = Branch { points: Vec::new(), turns: Vec::new(), is_cut: true };
     let Some(mut tangent) = arc.tangent(&place, &ahead) else { return branch };
     let mut add = |branch: &mut Branch, place: &BranchPosition, mark: BranchPointKind| {
-        let point = BranchPoint { mark, ..arc.judged(place) };
+        let point = BranchPoint { mark, ..arc.classified(place) };
         let is_ended = see(&point).is_break();
         branch.points.push(point);
         is_ended
@@ -130,7 +130,7 @@ pub(super) fn follow(
     // Far from the origin points move faster than the parameter, so steps may be longer there.
     let longest = |place: &BranchPosition| place.norm().max(1.0) / steps as f64;
     let (mut stride, mut strides) = (longest(&place), 0);
-    let mut before = arc.judged(&place).cycle;
+    let mut before = arc.classified(&place).cycle;
     while (0.0..=1.0).contains(&place[place.len() - 1]) {
         let step = arc.step(&place, &tangent, stride).and_then(|next| {
             let turned = arc.tangent(&next, &tangent)?;
@@ -145,7 +145,7 @@ pub(super) fn follow(
             }
             continue;
         };
-        let there = arc.judged(&next).cycle;
+        let there = arc.classified(&next).cycle;
         let whole = BranchSegment { arc, place: &place, tangent: &tangent, length: stride };
         let turns = whole.changes(&before, (&next_tangent, &there));
         let mut parts = vec![(0.0, place.clone(), None)];
@@ -154,9 +154,9 @@ pub(super) fn follow(
         for pair in parts.windows(2) {
             let [(low, first, _), (high, last, turn)] = pair else { unreachable!("windows of two") };
             let ends = [first, last].map(|place| place[place.len() - 1] * steps as f64);
-            for k in passed(ends, steps) {
+            for k in integers_between(ends, steps) {
                 let value = k as f64 / steps as f64;
-                let Some(there) = whole.place_with(value, [(*low, first), (*high, last)]) else { continue };
+                let Some(there) = whole.position_at(value, [(*low, first), (*high, last)]) else { continue };
                 if add(&mut branch, &there, BranchPointKind::Asked(k)) {
                     return branch;
                 }
@@ -181,7 +181,7 @@ pub(super) fn follow(
 }
 
 /// Returns the integers from 0 to `most` between two numbers, without the first number.
-fn passed([from, to]: [f64; 2], most: usize) -> Vec<usize> {
+fn integers_between([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     let is_passed = |k: &usize| {
         let k = *k as f64;
         (from < k && k <= to) || (to <= k && k < from)
@@ -204,7 +204,7 @@ fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64
 pub(super) trait Curve {
     fn parameter(&self, place: &BranchPosition) -> f64;
 
-    fn judged(&self, place: &BranchPosition) -> BranchPoint;
+    fn classified(&self, place: &BranchPosition) -> BranchPoint;
 
     /// Returns the unit tangent nearest to the direction `near`.
     fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition>;
@@ -229,14 +229,14 @@ pub(super) trait Curve {
 }
 
 /// The solution curve of cycles of a map in ε or a parameter.
-struct Arc<F> {
+struct CycleCurve<F> {
     map: F,
     unit: LengthUnit,
     from: f64,
     length: f64,
 }
 
-impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
+impl<M: Parametric, F: Fn(f64) -> M> CycleCurve<F> {
     fn map(&self, place: &BranchPosition) -> ScaledMap<M> {
         ScaledMap { map: (self.map)(self.parameter(place)), unit: self.unit }
     }
@@ -260,15 +260,15 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
     }
 }
 
-impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
+impl<M: Parametric, F: Fn(f64) -> M> Curve for CycleCurve<F> {
     fn parameter(&self, place: &BranchPosition) -> f64 {
         self.from + self.length * place[place.len() - 1]
     }
 
-    fn judged(&self, place: &BranchPosition) -> BranchPoint {
+    fn classified(&self, place: &BranchPosition) -> BranchPoint {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let residual = defect(&map, cycle.as_slice()).map_or(f64::NAN, |gaps| gaps.amax());
-        let cycle = PeriodicPoint::judged(&map, cycle.as_slice(), residual);
+        let cycle = PeriodicPoint::classified(&map, cycle.as_slice(), residual);
         let eps = map.map.eps().approximate();
         BranchPoint { parameter: self.parameter(place), eps, cycle, mark: BranchPointKind::Between }
     }
@@ -276,27 +276,27 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
     fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition> {
         let wide = self.slope(place)?;
         // Project `near` onto the null space of the derivative.
-        let out = least_norm(wide.clone(), &(&wide * near))?;
+        let out = least_norm_solution(wide.clone(), &(&wide * near))?;
         (near - out).try_normalize(1e-8)
     }
 
     fn corrected(&self, mut next: BranchPosition, across: &BranchPosition) -> Option<BranchPosition> {
-        const ROUNDS: usize = 12;
-        const CLOSED: f64 = 1e-12;
+        const NEWTON_ITERATIONS: usize = 12;
+        const RESIDUAL_TOLERANCE: f64 = 1e-12;
 
         let gaps_at = |there: &BranchPosition| defect(&self.map(there), Self::cycle(there).as_slice());
-        for _ in 0..ROUNDS {
+        for _ in 0..NEWTON_ITERATIONS {
             let gaps = gaps_at(&next)?;
             let wide = self.slope(&next)?;
             let rows = wide.nrows();
             let mut square = wide.insert_row(rows, 0.0);
             square.set_row(rows, &across.transpose());
-            let nearer = &next - least_norm(square, &gaps.push(0.0))?;
-            if gaps.amax() <= CLOSED * next.amax().max(1.0) {
+            let nearer = &next - least_norm_solution(square, &gaps.push(0.0))?;
+            if gaps.amax() <= RESIDUAL_TOLERANCE * next.amax().max(1.0) {
                 // Near a double multiplier 1 the cycle's error is about the square root of the
                 // defect, so one more step is made if it helps.
-                let is_nearer =
-                    gaps.amax() > NOTHING && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
+                let is_nearer = gaps.amax() > NEGLIGIBLE_RESIDUAL
+                    && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });
             }
             next = nearer;

@@ -85,11 +85,11 @@ impl SegmentPoint {
     fn outside_by_kind(&self) -> [isize; 3] {
         /// A multiplier with a smaller imaginary part is treated as real, because rounding can make
         /// two nearly equal real multipliers complex.
-        const REAL: f64 = 1e-3;
+        const REAL_MULTIPLIER_TOLERANCE: f64 = 1e-3;
 
         let mut counts = [0; 3];
         for one in &self.cycle.multipliers[..self.cycle.outside()] {
-            let kind = match one.im.abs() > REAL {
+            let kind = match one.im.abs() > REAL_MULTIPLIER_TOLERANCE {
                 true => 2,
                 false => usize::from(one.re < 0.0),
             };
@@ -140,7 +140,7 @@ impl<C: Curve> BranchSegment<'_, C> {
             _ => {}
         }
         let is_wide = high.at - low.at > AT_ONCE * self.length && *halvings > 0;
-        if let Some(middle) = is_wide.then(|| self.post(0.5 * (low.at + high.at))).flatten() {
+        if let Some(middle) = is_wide.then(|| self.segment_point(0.5 * (low.at + high.at))).flatten() {
             *halvings -= 1;
             self.search([low, &middle], halvings, turns);
             self.search([&middle, high], halvings, turns);
@@ -166,7 +166,11 @@ impl<C: Curve> BranchSegment<'_, C> {
     }
 
     /// Finds the position with this relative parameter value between two positions.
-    pub(super) fn place_with(&self, value: f64, ends: [(f64, &BranchPosition); 2]) -> Option<BranchPosition> {
+    pub(super) fn position_at(
+        &self,
+        value: f64,
+        ends: [(f64, &BranchPosition); 2],
+    ) -> Option<BranchPosition> {
         let parameter = |place: &BranchPosition| place[place.len() - 1];
         let [mut low, mut high] = ends.map(|(at, place)| (at, parameter(place)));
         let mut near = ends[0].1.clone();
@@ -184,9 +188,13 @@ impl<C: Curve> BranchSegment<'_, C> {
         self.arc.corrected(near, &across)
     }
 
-    fn post(&self, at: f64) -> Option<SegmentPoint> {
+    fn segment_point(&self, at: f64) -> Option<SegmentPoint> {
         let place = self.at(at)?;
-        Some(SegmentPoint::new(at, &self.arc.tangent(&place, self.tangent)?, self.arc.judged(&place).cycle))
+        Some(SegmentPoint::new(
+            at,
+            &self.arc.tangent(&place, self.tangent)?,
+            self.arc.classified(&place).cycle,
+        ))
     }
 
     fn fold(&self, [low, high]: [&SegmentPoint; 2]) -> (f64, ChangePoint) {
@@ -194,7 +202,7 @@ impl<C: Curve> BranchSegment<'_, C> {
             let tangent = self.arc.tangent(there, self.tangent);
             tangent.is_none_or(|tangent| (tangent[tangent.len() - 1] > 0.0) == low.goes_ahead)
         };
-        let (at, parameter) = self.halved([low.at, high.at], is_before);
+        let (at, parameter) = self.bisect([low.at, high.at], is_before);
         (at, ChangePoint { change: self.turning_back(self.at(at).as_ref()), parameter })
     }
 
@@ -209,7 +217,7 @@ impl<C: Curve> BranchSegment<'_, C> {
         // The smallest multiplier outside of the circle is the one that crosses.
         let index = outer.cycle.outside() - 1;
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
-        let size_at = |there: &BranchPosition| size_of(&self.arc.judged(there).cycle);
+        let size_at = |there: &BranchPosition| size_of(&self.arc.classified(there).cycle);
         let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
         // Within the error margin, the multiplier may have crossed just before this interval.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
@@ -222,13 +230,13 @@ impl<C: Curve> BranchSegment<'_, C> {
             // exceeds the error margin.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
-        let (at, parameter) = self.halved([begin, outer.at], |there| size_at(there) <= bound);
+        let (at, parameter) = self.bisect([begin, outer.at], |there| size_at(there) <= bound);
         (at, ChangePoint { change, parameter })
     }
 
     /// Bisects for the last position at which `is_before` holds. Returns its distance along the
     /// step, and the parameter there.
-    fn halved(
+    fn bisect(
         &self,
         [mut before, mut behind]: [f64; 2],
         is_before: impl Fn(&BranchPosition) -> bool,

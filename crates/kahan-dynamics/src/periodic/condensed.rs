@@ -16,7 +16,7 @@ use kahan_core::nalgebra::{DMatrix, DVector};
 use super::Differentiable;
 use super::unit::ScaledMap;
 
-pub(super) struct Condensed {
+pub(super) struct CondensedEquations {
     /// The matrices that map (dx₀, de, 1) to dxᵢ.
     affine: Vec<DMatrix<f64>>,
     /// The condition dx_N − dx₀ = 0 that the cycle closes, as a matrix that acts on (dx₀, de, 1).
@@ -30,7 +30,7 @@ pub(super) struct Solution {
     pub(super) rank: f64,
 }
 
-impl Condensed {
+impl CondensedEquations {
     /// Condenses the equations at `points`. `rates(x, k)` is the derivative of the map at x with
     /// respect to further unknown k. `gaps` holds all φ(xᵢ) − xᵢ₊₁, or `None` for zeros.
     pub(super) fn of<M: Differentiable>(
@@ -58,7 +58,7 @@ impl Condensed {
         for k in 0..n {
             rows[(k, k)] -= 1.0;
         }
-        Condensed { affine, closing: rows }
+        CondensedEquations { affine, closing: rows }
     }
 
     pub(super) fn solve(&self, conditions: &[(&DVector<f64>, f64)]) -> Option<Solution> {

@@ -5,7 +5,7 @@ use std::fmt;
 use kahan_core::nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use super::Differentiable;
-use super::newton::closed;
+use super::newton::newton_cycle;
 use super::unit::{self, LengthUnit, ScaledMap};
 
 /// A cycle x, φ(x), … of a map φ, with its multipliers.
@@ -107,10 +107,10 @@ impl fmt::Display for NoPeriodicPoint {
 impl std::error::Error for NoPeriodicPoint {}
 
 /// The largest accepted residual, relative to the size of the cycle or of the start.
-pub(super) const CLOSED: f64 = 1e-11;
+pub(super) const RESIDUAL_TOLERANCE: f64 = 1e-11;
 /// The least tolerance with which |μ| is treated as 1 for a multiplier μ. A double eigenvalue loses
 /// half of the digits.
-const CIRCLE: f64 = 1e-6;
+const UNIT_CIRCLE_TOLERANCE: f64 = 1e-6;
 
 impl PeriodicPoint {
     /// Classifies the cycle by its multipliers.
@@ -132,11 +132,11 @@ impl PeriodicPoint {
     #[must_use]
     pub fn is_blurred(&self) -> bool {
         /// The least distance from 1 that shows in the printed digits.
-        const SHOWN: f64 = 1e-5;
+        const LEAST_SHOWN_DISTANCE: f64 = 1e-5;
 
         let off = |(one, margin): (&Complex<f64>, &f64)| {
             let distance = (size(one) - 1.0).abs();
-            distance > SHOWN && distance <= *margin
+            distance > LEAST_SHOWN_DISTANCE && distance <= *margin
         };
         self.multipliers.iter().zip(&self.margins).any(off)
     }
@@ -159,7 +159,7 @@ impl PeriodicPoint {
     }
 
     /// Makes a `PeriodicPoint` with the smallest period from points in the unit of `map`.
-    pub(super) fn judged<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64], residual: f64) -> Self {
+    pub(super) fn classified<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64], residual: f64) -> Self {
         let all: Vec<Vec<f64>> = cycle.chunks(map.dimension()).map(<[f64]>::to_vec).collect();
         let period = smallest_period(&all, unit::size(cycle).max(map.unit.size));
         Self::of_period(map, cycle, period, residual)
@@ -220,12 +220,12 @@ impl Linearized {
         let n = derivative.nrows();
         let left = (derivative - DMatrix::identity(n, n)).singular_values();
         let scale = left.max().max(1.0);
-        let family = left.iter().filter(|value| **value < CIRCLE * scale).count();
+        let family = left.iter().filter(|value| **value < UNIT_CIRCLE_TOLERANCE * scale).count();
         let margin = |multiplier: &Complex<f64>| {
             let distance = |(own, _): &&(Complex<f64>, f64)| size(&(own - multiplier));
             let nearest = conditions.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             let condition = nearest.map_or(f64::INFINITY, |(_, condition)| *condition);
-            CIRCLE.max(condition * error)
+            UNIT_CIRCLE_TOLERANCE.max(condition * error)
         };
         let margins = multipliers.iter().map(margin).collect();
         Linearized { multipliers, family, margins }
@@ -323,20 +323,20 @@ pub fn periodic_point<M: Differentiable>(
     let mut sizes = cycle.chunks(start.len()).chain([&last[..]]).map(unit::size);
     let map = ScaledMap { map, unit: LengthUnit::of(sizes.find(|size| *size > 0.0).unwrap_or(0.0)) };
     let cycle = DVector::from_iterator(cycle.len(), cycle.iter().map(|x| x / map.unit.length));
-    let (cycle, residual) = closed(&map, cycle).ok_or(NoPeriodicPoint::NotFinite)?;
-    if residual > CLOSED * cycle.amax().max(map.unit.size) {
+    let (cycle, residual) = newton_cycle(&map, cycle).ok_or(NoPeriodicPoint::NotFinite)?;
+    if residual > RESIDUAL_TOLERANCE * cycle.amax().max(map.unit.size) {
         return Err(NoPeriodicPoint::NotFound { residual: residual * map.unit.length });
     }
-    Ok(PeriodicPoint::judged(&map, cycle.as_slice(), residual))
+    Ok(PeriodicPoint::classified(&map, cycle.as_slice(), residual))
 }
 
 fn smallest_period(points: &[Vec<f64>], size: f64) -> usize {
     /// The relative distance below which points are treated as equal.
-    const SAME: f64 = 1e-7;
+    const EQUAL_POINTS_DISTANCE: f64 = 1e-7;
 
     let comes_again = |period: usize| {
         let pairs = points.iter().zip(&points[period..]);
-        pairs.flat_map(|(a, b)| a.iter().zip(b)).all(|(a, b)| (a - b).abs() <= SAME * size)
+        pairs.flat_map(|(a, b)| a.iter().zip(b)).all(|(a, b)| (a - b).abs() <= EQUAL_POINTS_DISTANCE * size)
     };
     let divides = |period: &usize| points.len().is_multiple_of(*period);
     (1..points.len()).filter(divides).find(|&period| comes_again(period)).unwrap_or(points.len())

@@ -7,10 +7,10 @@
 use kahan_core::nalgebra::{Complex, DVector};
 
 use super::Parametric;
-use super::condensed::{Condensed, Solution, phase_direction};
-use super::cycle::{CLOSED, NoPeriodicPoint, PeriodicPoint};
+use super::condensed::{CondensedEquations, Solution, phase_direction};
+use super::cycle::{NoPeriodicPoint, PeriodicPoint, RESIDUAL_TOLERANCE};
 use super::newton::defect;
-use super::returns::across;
+use super::returns::distance_from_parabola;
 use super::unit::{self, LengthUnit, ScaledMap};
 
 /// A cycle of a flow, represented by N steps of the map.
@@ -57,11 +57,11 @@ impl FlowCycle {
     }
 
     /// Returns a cycle of a single round if this cycle goes several times around it.
-    fn once<M: Parametric>(self, map: &impl Fn(f64) -> M) -> Self {
+    fn single_round<M: Parametric>(self, map: &impl Fn(f64) -> M) -> Self {
         let steps = self.cycle.points.len();
         let dimension = self.cycle.points[0].len();
         let points: Vec<f64> = self.cycle.points.iter().flatten().copied().collect();
-        let mut shorter = (2..=steps / 4).rev().filter(|rounds| runs(&points, dimension, *rounds));
+        let mut shorter = (2..=steps / 4).rev().filter(|rounds| goes_around(&points, dimension, *rounds));
         let found = shorter.find_map(|rounds| {
             let part = (steps + rounds / 2) / rounds;
             let eps = self.eps * steps as f64 / (rounds * part) as f64;
@@ -74,7 +74,7 @@ impl FlowCycle {
 
 /// Returns whether the points go `rounds` times around a closed curve. Each point must lie near the
 /// parabola through three consecutive points one round later.
-pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
+pub(super) fn goes_around(points: &[f64], dimension: usize, rounds: usize) -> bool {
     /// The tolerance relative to the largest second difference.
     const NEAR: f64 = 0.25;
 
@@ -88,7 +88,7 @@ pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
     let bends = (0..steps).map(|i| bend(three(i))).fold(0.0, f64::max);
     let part = steps / rounds;
     (0..steps).all(|i| {
-        let apart = [part, part + 1].map(|part| across(three(i + part), at(i)));
+        let apart = [part, part + 1].map(|part| distance_from_parabola(three(i + part), at(i)));
         apart[0].min(apart[1]) <= NEAR * bends
     })
 }
@@ -131,7 +131,7 @@ pub fn flow_cycle<M: Parametric>(
     if steps < 2 || start.len() != map(eps).dimension() || eps.is_nan() || eps == 0.0 {
         return Err(NoPeriodicPoint::Unfit);
     }
-    Ok(Search::of_orbit(&map, start, eps, steps)?.run()?.once(&map))
+    Ok(Search::of_orbit(&map, start, eps, steps)?.run()?.single_round(&map))
 }
 
 /// The state of Newton's method: the points divided by their size, then ε divided by the first ε.
@@ -180,13 +180,13 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
-        const ROUNDS: usize = 60;
+        const NEWTON_ITERATIONS: usize = 60;
         /// If the relative defect is smaller, one more step is made, which reaches rounding errors.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
         let mut rank = f64::INFINITY;
-        for _ in 0..ROUNDS {
+        for _ in 0..NEWTON_ITERATIONS {
             let is_near = gaps.amax() <= NEAR;
             let Some(correction) = self.correction(&gaps) else { break };
             rank = correction.rank;
@@ -201,36 +201,36 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
                 break;
             }
         }
-        self.judged(gaps.amax(), rank)
+        self.classified(gaps.amax(), rank)
     }
 
     /// Returns the Newton step that has no component along the cycle.
     fn correction(&self, gaps: &DVector<f64>) -> Option<Solution> {
         let (map, points) = (self.map_at(&self.place), Self::points(&self.place));
         let rates = |x: &[f64], _| map.by_parameter(x).into_iter().map(|rate| rate * self.eps).collect();
-        let equations = Condensed::of(&map, points, Some(gaps), 1, rates);
+        let equations = CondensedEquations::of(&map, points, Some(gaps), 1, rates);
         equations.solve(&[(&phase_direction(points, map.dimension(), 1), 0.0)])
     }
 
-    fn judged(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
+    fn classified(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
         /// The cycle may be one of a family if the smallest singular value, divided by the largest,
         /// is below this number.
-        const FAMILY: f64 = 1e-7;
+        const FAMILY_RANK_RATIO: f64 = 1e-7;
         const NEARLY_FAMILY: f64 = 1e-4;
         const ONE: f64 = 1e-3;
         /// Points that are closer together than this, relative to their size, are a steady state.
-        const STILL: f64 = 1e-6;
+        const STEADY_STATE_SIZE: f64 = 1e-6;
 
         let map = self.map_at(&self.place);
         let points = Self::points(&self.place);
-        let is_closed = residual <= CLOSED * unit::size(points).max(self.unit.size);
+        let is_closed = residual <= RESIDUAL_TOLERANCE * unit::size(points).max(self.unit.size);
         let apart = points.iter().skip(map.dimension()).zip(points).map(|(next, x)| (next - x).abs());
-        if is_closed && apart.fold(0.0, f64::max) * (points.len() as f64) < STILL {
+        if is_closed && apart.fold(0.0, f64::max) * (points.len() as f64) < STEADY_STATE_SIZE {
             return Err(NoPeriodicPoint::Still);
         }
-        let cycle = PeriodicPoint::judged(&map, points, residual).of_flow();
+        let cycle = PeriodicPoint::classified(&map, points, residual).of_flow();
         let is_one = |one: &Complex<f64>| (one - Complex::new(1.0, 0.0)).norm_sqr() < ONE * ONE;
-        let nearly = if is_closed { FAMILY } else { NEARLY_FAMILY };
+        let nearly = if is_closed { FAMILY_RANK_RATIO } else { NEARLY_FAMILY };
         if rank < nearly && cycle.multipliers.iter().any(is_one) {
             return Err(NoPeriodicPoint::Family);
         }

@@ -9,9 +9,9 @@ use kahan_core::nalgebra::DVector;
 use super::Parametric;
 use super::branch::{Branch, BranchPoint, BranchPointKind, BranchPosition, Curve, follow};
 use super::changes::BranchChange;
-use super::condensed::{Condensed, phase_direction};
+use super::condensed::{CondensedEquations, phase_direction};
 use super::cycle::PeriodicPoint;
-use super::flow::{FlowCycle, runs};
+use super::flow::{FlowCycle, goes_around};
 use super::newton::defect;
 use super::unit::{self, LengthUnit, ScaledMap};
 
@@ -59,7 +59,7 @@ pub fn flow_branch<M: Parametric>(
     let size = cycle.cycle.size();
     let many = cycle.cycle.points.len() as f64;
     let [unit, scaled] = [size, size * many.sqrt()].map(LengthUnit::of);
-    let arc = FlowArc { map, unit, scaled, eps: cycle.eps, from, length: to - from };
+    let arc = FlowCycleCurve { map, unit, scaled, eps: cycle.eps, from, length: to - from };
     let points = cycle.cycle.points.iter().flatten().map(|x| x / scaled.length);
     let place = DVector::from_vec(points.chain([1.0, 0.0]).collect());
     follow(&arc, place, steps, see)
@@ -67,7 +67,7 @@ pub fn flow_branch<M: Parametric>(
 
 /// The solution curve of cycles of a flow. A position holds the scaled points, then ε relative to
 /// the first ε, then the parameter relative to the range.
-struct FlowArc<F> {
+struct FlowCycleCurve<F> {
     map: F,
     unit: LengthUnit,
     scaled: LengthUnit,
@@ -76,7 +76,7 @@ struct FlowArc<F> {
     length: f64,
 }
 
-impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
+impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowCycleCurve<F> {
     fn points(place: &BranchPosition) -> &[f64] {
         &place.as_slice()[..place.len() - 2]
     }
@@ -87,7 +87,7 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
 
     /// Returns whether the cycle goes twice around a cycle of half the period.
     fn runs_twice(&self, place: &BranchPosition) -> bool {
-        runs(Self::points(place), self.dimension(place), 2)
+        goes_around(Self::points(place), self.dimension(place), 2)
     }
 
     /// Returns the square root of the sum of squared distances from the first point.
@@ -110,22 +110,29 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
     }
 
     /// Linearizes the equations at a position. Also returns the direction along the cycle.
-    fn equations(&self, place: &BranchPosition, gaps: Option<&DVector<f64>>) -> (Condensed, BranchPosition) {
+    fn equations(
+        &self,
+        place: &BranchPosition,
+        gaps: Option<&DVector<f64>>,
+    ) -> (CondensedEquations, BranchPosition) {
         let (maps, points) = (self.maps(place), Self::points(place));
         let units = [self.eps, self.length];
         let rates = |x: &[f64], other: usize| {
             maps[other].by_parameter(x).into_iter().map(|rate| rate * units[other]).collect()
         };
-        (Condensed::of(&maps[0], points, gaps, 2, rates), phase_direction(points, maps[0].dimension(), 2))
+        (
+            CondensedEquations::of(&maps[0], points, gaps, 2, rates),
+            phase_direction(points, maps[0].dimension(), 2),
+        )
     }
 }
 
-impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
+impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowCycleCurve<F> {
     fn parameter(&self, place: &BranchPosition) -> f64 {
         self.from + self.length * place[place.len() - 1]
     }
 
-    fn judged(&self, place: &BranchPosition) -> BranchPoint {
+    fn classified(&self, place: &BranchPosition) -> BranchPoint {
         let [map, _] = self.maps(place);
         let ratio = self.scaled.length / self.unit.length;
         let points: Vec<f64> = Self::points(place).iter().map(|x| x * ratio).collect();
@@ -149,9 +156,9 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
     fn turning_back(&self, place: &BranchPosition) -> BranchChange {
         /// The extent below which the cycle is nearly a steady state, and the equations almost
         /// singular.
-        const SMALL: f64 = 0.02;
+        const NEARLY_STEADY_EXTENT: f64 = 0.02;
 
-        match (self.extent(place) < SMALL, self.runs_twice(place)) {
+        match (self.extent(place) < NEARLY_STEADY_EXTENT, self.runs_twice(place)) {
             (true, _) => BranchChange::Hopf,
             (false, true) => BranchChange::Halved,
             (false, false) => BranchChange::Fold,
@@ -160,9 +167,9 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
 
     fn has_jumped(&self, place: &BranchPosition, tangent: &BranchPosition) -> bool {
         /// The extent below which Newton's method has converged to a steady state.
-        const SAME: f64 = 1e-6;
+        const STEADY_STATE_EXTENT: f64 = 1e-6;
 
-        if self.extent(place) < SAME {
+        if self.extent(place) < STEADY_STATE_EXTENT {
             return true;
         }
         // On a cycle of half the period, both rounds have equal tangents.
@@ -173,17 +180,17 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
     }
 
     fn corrected(&self, mut next: BranchPosition, across: &BranchPosition) -> Option<BranchPosition> {
-        const ROUNDS: usize = 12;
-        const CLOSED: f64 = 1e-12;
+        const NEWTON_ITERATIONS: usize = 12;
+        const RESIDUAL_TOLERANCE: f64 = 1e-12;
 
         let mut gaps = self.gaps(&next)?;
-        for _ in 0..ROUNDS {
+        for _ in 0..NEWTON_ITERATIONS {
             // The step is perpendicular to the branch, and does not shift the points along the
             // cycle.
             let (equations, along) = self.equations(&next, Some(&gaps));
             let nearer = &next + equations.solve(&[(&along, 0.0), (across, 0.0)])?.step;
             let gaps_there = self.gaps(&nearer)?;
-            let is_closed = gaps.amax() <= CLOSED;
+            let is_closed = gaps.amax() <= RESIDUAL_TOLERANCE;
             if is_closed && gaps_there.amax() >= gaps.amax() {
                 return Some(next);
             }

@@ -8,7 +8,7 @@ use super::unit::ScaledMap;
 
 /// The relative residual at which Newton's method stops: the square of the unit roundoff. Near a
 /// cycle at 0, further steps would meet subnormal numbers.
-pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
+pub(super) const NEGLIGIBLE_RESIDUAL: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
 /// Returns φ(xᵢ) − xᵢ₊₁ for all points xᵢ of the cycle. Returns `None` if a number is not finite.
 pub(super) fn defect<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64]) -> Option<DVector<f64>> {
@@ -39,7 +39,7 @@ pub(super) fn slope<M: Differentiable>(map: &ScaledMap<M>, cycle: &DVector<f64>)
 }
 
 /// Solves a least-squares problem, and returns the solution of least norm.
-pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+pub(super) fn least_norm_solution(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     /// Singular values below this fraction of the largest one are treated as 0.
     const ZERO: f64 = 1e-10;
 
@@ -52,19 +52,19 @@ pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<D
 }
 
 /// Makes damped Newton steps from a guess. Returns the cycle with the norm of its defect.
-pub(super) fn closed<M: Differentiable>(
+pub(super) fn newton_cycle<M: Differentiable>(
     map: &ScaledMap<M>,
     cycle: DVector<f64>,
 ) -> Option<(DVector<f64>, f64)> {
-    const ROUNDS: usize = 60;
+    const NEWTON_ITERATIONS: usize = 60;
 
     let mut cycle = cycle;
     let mut gaps = defect(map, cycle.as_slice())?;
-    for _ in 0..ROUNDS {
-        if gaps.amax() <= NOTHING {
+    for _ in 0..NEWTON_ITERATIONS {
+        if gaps.amax() <= NEGLIGIBLE_RESIDUAL {
             break;
         }
-        let Some(step) = least_norm(slope(map, &cycle), &gaps) else { break };
+        let Some(step) = least_norm_solution(slope(map, &cycle), &gaps) else { break };
         let nearer = (0..30).find_map(|halvings| {
             let trial = &cycle - &step * 0.5f64.powi(halvings);
             let gaps_there = defect(map, trial.as_slice())?;

@@ -24,12 +24,12 @@ pub struct CloseReturn {
 #[must_use]
 pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<CloseReturn> {
     /// The number of starting points, up to a factor of two.
-    const STARTS: usize = 1000;
+    const START_POINTS: usize = 1000;
     const RETURNS: usize = 24;
     /// The relative radius of a neighbourhood that a return leaves and enters again.
-    const NEAR: f64 = 0.1;
+    const NEIGHBOURHOOD_RADIUS: f64 = 0.1;
     /// Distances below this are treated as equal, because they are interpolated.
-    const ALIKE: f64 = 1e-4;
+    const EQUAL_RETURN_DISTANCE: f64 = 1e-4;
 
     let Some(first) = orbit.first() else { return Vec::new() };
     let sizes: Vec<f64> = (0..first.len())
@@ -43,21 +43,23 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
         a.iter().zip(b).zip(&sizes).map(|((a, b), size)| ((a - b) * size).powi(2)).sum()
     };
     let scaled = |i: usize| orbit[i].iter().zip(&sizes).map(|(x, size)| x * size).collect::<Vec<_>>();
-    let across =
-        |i: usize, j: usize| across([i - 1, i, i + 1].map(scaled).each_ref().map(|x| &x[..]), &scaled(j));
+    let across = |i: usize, j: usize| {
+        distance_from_parabola([i - 1, i, i + 1].map(scaled).each_ref().map(|x| &x[..]), &scaled(j))
+    };
     let most = most.min(orbit.len().saturating_sub(2));
     let starts = orbit.len().saturating_sub(most + 1);
     let mut returns = Vec::new();
-    for at in (1..starts).step_by((starts / STARTS).max(1)) {
+    for at in (1..starts).step_by((starts / START_POINTS).max(1)) {
         let (mut farthest, mut closest) = (0.0_f64, f64::INFINITY);
         let mut distances = [f64::INFINITY, 0.0];
         for steps in 1..=most {
             let next = square(&orbit[at + steps], &orbit[at]);
             let [before, here] = distances;
-            let is_least = here <= before && here < next && here < NEAR * NEAR;
-            if is_least && farthest > NEAR && steps > least.max(1) {
+            let is_least =
+                here <= before && here < next && here < NEIGHBOURHOOD_RADIUS * NEIGHBOURHOOD_RADIUS;
+            if is_least && farthest > NEIGHBOURHOOD_RADIUS && steps > least.max(1) {
                 let distance = across(at, at + steps - 1);
-                if distance < 0.1 * closest && closest > ALIKE {
+                if distance < 0.1 * closest && closest > EQUAL_RETURN_DISTANCE {
                     closest = distance;
                     returns.push(CloseReturn { at, steps: steps - 1, distance });
                 }
@@ -66,14 +68,14 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
             distances = [here, next];
         }
     }
-    let rank = |one: &CloseReturn| one.distance.max(ALIKE) * one.steps as f64;
+    let rank = |one: &CloseReturn| one.distance.max(EQUAL_RETURN_DISTANCE) * one.steps as f64;
     returns.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
     returns.truncate(RETURNS);
     returns
 }
 
 /// Returns the distance of a point from the parabola through three points, near the middle one.
-pub(super) fn across([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
+pub(super) fn distance_from_parabola([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
     let slope = |k: usize| 0.5 * (behind[k] - before[k]);
     let off = |k: usize, at: f64| {
         let bend = behind[k] - 2.0 * x[k] + before[k];

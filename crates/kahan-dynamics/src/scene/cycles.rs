@@ -8,17 +8,17 @@ use kahan_core::StepCost;
 use super::{Precision, Scheme};
 
 /// The cost factor of `f32`. The operations of a single orbit take as long as in `f64`.
-const SINGLE: f64 = 1.0;
+const SINGLE_COST_FACTOR: f64 = 1.0;
 /// The cost factor of a state in `f32` with steps in `f64`, which need conversions.
 const SINGLE_THROUGH_DOUBLE: f64 = 1.25;
 /// The cost factor of compensation, which adds seven operations for each component.
-const COMPENSATED: f64 = 1.1;
+const COMPENSATION_COST_FACTOR: f64 = 1.1;
 /// The cost factor of `Dd` with fused multiply-adds, where an exact product takes two operations.
 #[cfg(target_feature = "fma")]
-const DOUBLE_DOUBLE: f64 = 6.0;
+const DOUBLE_DOUBLE_COST_FACTOR: f64 = 6.0;
 /// The cost factor of `Dd` without fused multiply-adds, where an exact product takes 17 operations.
 #[cfg(not(target_feature = "fma"))]
-const DOUBLE_DOUBLE: f64 = 10.0;
+const DOUBLE_DOUBLE_COST_FACTOR: f64 = 10.0;
 
 impl Scheme {
     /// Returns the modelled cycles of one step, of which only ratios are meaningful.
@@ -29,12 +29,12 @@ impl Scheme {
     #[must_use]
     pub fn cycles(&self, stage: StepCost) -> f64 {
         let numbers = match self.precision {
-            Precision::Single => SINGLE,
+            Precision::Single => SINGLE_COST_FACTOR,
             Precision::SingleThroughDouble => SINGLE_THROUGH_DOUBLE,
             Precision::Double => 1.0,
-            Precision::DoubleDouble => DOUBLE_DOUBLE,
+            Precision::DoubleDouble => DOUBLE_DOUBLE_COST_FACTOR,
         };
-        let accumulation = if self.compensated { COMPENSATED } else { 1.0 };
+        let accumulation = if self.compensated { COMPENSATION_COST_FACTOR } else { 1.0 };
         self.composition.stages() as f64 * stage.cycles() * numbers * accumulation
     }
 }

@@ -9,19 +9,19 @@ use kahan_core::nalgebra::SVector;
 use crate::flow::{norm, slope};
 use kahan_core::{ExtendScalars, PreparedStep};
 
-use super::search::{PLAIN, WIDE};
+use super::search::{PLAIN_DOUBLE, PLAIN_DOUBLE_DOUBLE};
 use super::{NoSetting, Scene, Setting};
 
 /// The safety factor on rounding errors. In 19 of 20 random walks, the end is at most twice as
 /// large as is typical.
-const SAFETY: f64 = 2.0;
+const ROUNDING_SAFETY_FACTOR: f64 = 2.0;
 /// The largest number of steps, which `f64` represents exactly.
 const MOST_STEPS: f64 = 9e15;
 
-const PILOT: f64 = 4096.0;
+const PILOT_STEPS: f64 = 4096.0;
 /// The accepted ratio between the largest coordinates of an orbit and of a finer orbit.
-const LARGER: f64 = 2.0;
-const HALVINGS: i32 = 16;
+const MAX_SIZE_RATIO: f64 = 2.0;
+const MAX_HALVINGS: i32 = 16;
 
 pub(super) fn choose<M, const N: usize>(
     scene: &Scene,
@@ -33,16 +33,16 @@ where
 {
     let rate = rate(map, x0);
     let first = (0.5 * scene.horizon * rate).ceil().max(1.0);
-    let coarsest = (0..HALVINGS)
+    let coarsest = (0..MAX_HALVINGS)
         .map(|k| first * libm::exp2(f64::from(k)))
-        .find(|steps| is_borne(scene, map, x0, *steps));
+        .find(|steps| stays_bounded(scene, map, x0, *steps));
     let Some(coarsest) = coarsest else { return Err(NoSetting::Lost { time: 0.0 }) };
     let cost = |setting: &Setting| {
         setting.steps as f64 * setting.scheme.cycles(<M::Prepared as PreparedStep<f64, N>>::COST)
     };
     let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);
-    for scheme in [PLAIN, PLAIN.compensated(), WIDE] {
-        for k in 0..HALVINGS {
+    for scheme in [PLAIN_DOUBLE, PLAIN_DOUBLE.compensated(), PLAIN_DOUBLE_DOUBLE] {
+        for k in 0..MAX_HALVINGS {
             let steps = coarsest * libm::exp2(f64::from(k));
             let mut setting = scene.setting(scheme, steps as u64);
             let (eps, steps) = (setting.eps, setting.steps as f64);
@@ -51,7 +51,10 @@ where
             }
             // With compensation, the increment is rounded instead of the point.
             let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
-            let error = SAFETY * scene.condition * scheme.precision.unit() * (1.0 + part * steps.sqrt());
+            let error = ROUNDING_SAFETY_FACTOR
+                * scene.condition
+                * scheme.precision.unit()
+                * (1.0 + part * steps.sqrt());
             least_error = least_error.min(error);
             if error > scene.tolerance {
                 continue;
@@ -68,15 +71,15 @@ where
 }
 
 /// Returns whether the first steps stay finite, and not much larger than steps with ε/4.
-fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
+fn stays_bounded<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
 where
     M: ExtendScalars<f64, N>,
 {
-    let eps = scene.setting(PLAIN, steps as u64).eps;
-    let count = steps.min(PILOT) as usize;
+    let eps = scene.setting(PLAIN_DOUBLE, steps as u64).eps;
+    let count = steps.min(PILOT_STEPS) as usize;
     let coarse = size(map.orbit(*x0, eps).take(count + 1));
     let fine = size(map.orbit(*x0, 0.25 * eps).take(4 * count + 1));
-    fine.is_finite() && coarse <= LARGER * fine
+    fine.is_finite() && coarse <= MAX_SIZE_RATIO * fine
 }
 
 fn size<const N: usize>(orbit: impl Iterator<Item = SVector<f64, N>>) -> f64 {

@@ -7,7 +7,7 @@ use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, ThroughF
 use super::{Precision, Scheme, Setting};
 
 /// A computation on an orbit of any type. `widen` converts points to `Dd` without rounding.
-trait Task<const N: usize> {
+trait OrbitTask<const N: usize> {
     type Output;
 
     fn run<X>(self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output;
@@ -17,7 +17,7 @@ struct LastPoint(usize);
 
 struct VisitWhile<F>(u64, F);
 
-impl<const N: usize> Task<N> for LastPoint {
+impl<const N: usize> OrbitTask<N> for LastPoint {
     type Output = Option<SVector<f64, N>>;
 
     fn run<X>(self, mut orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output {
@@ -26,7 +26,7 @@ impl<const N: usize> Task<N> for LastPoint {
     }
 }
 
-impl<F: FnMut(u64, &[Dd; N]) -> bool, const N: usize> Task<N> for VisitWhile<F> {
+impl<F: FnMut(u64, &[Dd; N]) -> bool, const N: usize> OrbitTask<N> for VisitWhile<F> {
     type Output = ();
 
     fn run<X>(mut self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) {
@@ -90,7 +90,7 @@ impl Setting {
     fn with_orbit<M, K, const N: usize>(&self, map: &M, x0: SVector<f64, N>, task: K) -> K::Output
     where
         M: ExtendScalars<f64, N>,
-        K: Task<N>,
+        K: OrbitTask<N>,
     {
         let single = |x: f64| x as f32;
         match self.scheme.precision {
@@ -121,7 +121,7 @@ impl Setting {
     where
         M: KahanMap<T, N>,
         T: FloatScalar,
-        K: Task<N>,
+        K: OrbitTask<N>,
     {
         let Scheme { composition, compensated, .. } = self.scheme;
         let orbit = map.orbit(x0, eps);

@@ -9,20 +9,20 @@ use kahan_core::nalgebra::SVector;
 use crate::flow::{Flow, NoFlow, SeriesScalar};
 use kahan_core::{Dd, ExtendScalars, PreparedStep, QuadraticField};
 
-use super::search::{OF_DOUBLE, OTHERS, Search, Trials, VOUCHING, Verdict};
+use super::search::{ALTERNATIVES_TO_DOUBLE, OF_DOUBLE, REFERENCE_ACCURACY_FACTOR, Search, Trials, Verdict};
 use super::{NoSetting, Scene, Scheme, Setting};
 
 /// The largest amount of work of a choice, including all trials, in steps of the map.
 const MOST_WORK: f64 = 1e6;
 /// The tolerance below which the computation begins in `Dd`.
-const FINE: f64 = 1e-12;
+const DOUBLE_DOUBLE_TOLERANCE: f64 = 1e-12;
 /// A bound on the rounding errors of a flow in `f64`, before the flow amplifies them.
-const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
+const FLOW_ROUNDING_ERROR: f64 = 1000.0 * f64::EPSILON;
 /// The relative distance of two starts whose solutions are compared.
-const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
+const NEARBY_START_DISTANCE: f64 = 1.0 / (1_u64 << 36) as f64;
 const SHARE: f64 = 0.4;
 /// A trial stops at this relative error, or at four tolerances if these are larger.
-const LOST: f64 = 0.1;
+const MIN_STOPPING_ERROR: f64 = 0.1;
 
 pub(super) fn choose<M, const N: usize>(
     scene: &Scene,
@@ -34,10 +34,10 @@ where
 {
     let mut budget = Budget { left: MOST_WORK };
     let start = *x0;
-    if scene.tolerance >= FINE
-        && let Some(flow) = budget.sure_flow(scene, map, start)
+    if scene.tolerance >= DOUBLE_DOUBLE_TOLERANCE
+        && let Some(flow) = budget.verified_flow(scene, map, start)
     {
-        let choice = Choice { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
+        let choice = TrajectoryChoice { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
         match choice.choose(&mut budget) {
             Err(TrajectoryFailure { is_rough: true, .. }) => {}
             answer => return answer.map_err(|refusal| refusal.why),
@@ -45,7 +45,7 @@ where
     }
     let wide = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
     let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
-    let choice = Choice { scene, map, x0, flow: &flow, others: &OTHERS };
+    let choice = TrajectoryChoice { scene, map, x0, flow: &flow, others: &ALTERNATIVES_TO_DOUBLE };
     choice.choose(&mut budget).map_err(|refusal| refusal.why)
 }
 
@@ -80,7 +80,7 @@ impl Budget {
 
     /// Computes the solution in `f64`. Returns `None` if amplified rounding errors exceed the
     /// tolerance. A second solution from a nearby start measures the amplification.
-    fn sure_flow<F, const N: usize>(
+    fn verified_flow<F, const N: usize>(
         &mut self,
         scene: &Scene,
         field: &F,
@@ -91,18 +91,20 @@ impl Budget {
     {
         let flow = self.flow(scene, field, start).ok()?;
         // The factors differ between components, like independent relative rounding errors.
-        let factor = |i: usize| if i.is_multiple_of(2) { 1.0 + NEARBY } else { 1.0 - 0.75 * NEARBY };
+        let factor = |i: usize| {
+            if i.is_multiple_of(2) { 1.0 + NEARBY_START_DISTANCE } else { 1.0 - 0.75 * NEARBY_START_DISTANCE }
+        };
         let beside = self.flow(scene, field, SVector::from_fn(|i, _| factor(i) * start[i])).ok()?;
         let distance = |t: f64| {
             let x: Vec<Dd> = beside.at(t.into()).into_iter().map(Dd::from).collect();
             flow.distance(t.into(), &x)
         };
-        let growth = flow.breaks().map(distance).fold(0.0, f64::max) / NEARBY;
-        (ROUNDINGS * growth <= scene.tolerance).then_some(flow)
+        let growth = flow.breaks().map(distance).fold(0.0, f64::max) / NEARBY_START_DISTANCE;
+        (FLOW_ROUNDING_ERROR * growth <= scene.tolerance).then_some(flow)
     }
 }
 
-struct Choice<'a, T, M, const N: usize> {
+struct TrajectoryChoice<'a, T, M, const N: usize> {
     scene: &'a Scene,
     map: &'a M,
     x0: &'a SVector<f64, N>,
@@ -116,7 +118,7 @@ struct TrajectoryFailure {
     is_rough: bool,
 }
 
-impl<T, M, const N: usize> Choice<'_, T, M, N>
+impl<T, M, const N: usize> TrajectoryChoice<'_, T, M, N>
 where
     T: SeriesScalar,
     M: ExtendScalars<f64, N>,
@@ -131,10 +133,10 @@ where
         match verdict {
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
-                let why = if least_error < LOST {
+                let why = if least_error < MIN_STOPPING_ERROR {
                     // At another ε the error may be twice as large, because of rounding errors.
                     NoSetting::OutOfReach {
-                        best: libm::exp2(libm::log2(2.0 * VOUCHING * least_error).ceil()),
+                        best: libm::exp2(libm::log2(2.0 * REFERENCE_ACCURACY_FACTOR * least_error).ceil()),
                     }
                 } else if is_short_of_work {
                     NoSetting::TooLong { time: agreed_until }
@@ -149,7 +151,7 @@ where
 
 /// Orbits of one scene that are compared with the flow, within a limited amount of work.
 struct TrialOrbits<'a, T, M, const N: usize> {
-    choice: &'a Choice<'a, T, M, N>,
+    choice: &'a TrajectoryChoice<'a, T, M, N>,
     budget: &'a mut Budget,
     /// The time until which some orbit stayed near the flow.
     agreed_until: f64,
@@ -172,8 +174,8 @@ where
             self.is_short_of_work = true;
             return None;
         }
-        let Choice { scene, map, x0, flow, .. } = *self.choice;
-        let lost = LOST.max(4.0 * scene.tolerance);
+        let TrajectoryChoice { scene, map, x0, flow, .. } = *self.choice;
+        let lost = MIN_STOPPING_ERROR.max(4.0 * scene.tolerance);
         let dt = Dd::from(2.0 * setting.eps);
         let mut along = flow.distances::<N>();
         let (mut worst, mut last) = (0.0_f64, 0);

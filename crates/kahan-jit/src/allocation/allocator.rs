@@ -55,7 +55,7 @@ impl<'a> Allocator<'a> {
         };
         for (k, &value) in kept.iter().enumerate() {
             let (register, source) = (Vector((own + k) as u8), allocator.source(value));
-            allocator.code.before.push(MachineInstruction::bring(register, source));
+            allocator.code.before.push(MachineInstruction::load_into(register, source));
             allocator.register_of[value] = Some(register);
             allocator.is_kept[value] = true;
         }
@@ -132,7 +132,7 @@ impl<'a> Allocator<'a> {
             Instruction::SubtractProduct(a, b, c) => self.fused(Fused::SubtractProduct, [b, c, a]),
             Instruction::Call(CalledFunction::Copy, Node(a), _) => {
                 let source = self.source(a);
-                self.finish(&[a], |to| MachineInstruction::bring(to, source));
+                self.finish(&[a], |to| MachineInstruction::load_into(to, source));
             }
             Instruction::Call(CalledFunction::RoundToSingle, Node(a), _) => {
                 let from = self.in_register(a);
@@ -213,7 +213,7 @@ impl<'a> Allocator<'a> {
             }
             let source = self.source(overwritten);
             let to = self.fresh();
-            self.code.round.push(MachineInstruction::bring(to, source));
+            self.code.round.push(MachineInstruction::load_into(to, source));
             (to, overwritten)
         };
         let (order, second, third) = if overwritten == c {

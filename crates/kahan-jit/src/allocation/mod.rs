@@ -72,7 +72,7 @@ impl ValueLocation {
 }
 
 impl MachineInstruction {
-    fn bring(to: Vector, source: Source<ValueLocation>) -> Self {
+    fn load_into(to: Vector, source: Source<ValueLocation>) -> Self {
         match source {
             Source::Register(from) => Self::Copy(to, from),
             Source::Memory(place) => Self::Load(to, place),
@@ -96,7 +96,7 @@ impl Allocation {
     pub(crate) fn of(program: &Program, registers: u8, plan: RoundPlan) -> Self {
         let first = Allocator::new(program, registers, plan.ends, &[]).run();
         // Spare registers hold constants that would otherwise be loaded again in each round.
-        let kept = kept(program, plan, usize::from(registers - first.most_taken));
+        let kept = constants_in_registers(program, plan, usize::from(registers - first.most_taken));
         if kept.is_empty() { first } else { Allocator::new(program, registers, plan.ends, &kept).run() }
     }
 
@@ -116,7 +116,7 @@ impl Allocation {
 }
 
 /// Returns at most `most` constants to keep in registers, beginning with the most used one.
-fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
+fn constants_in_registers(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,

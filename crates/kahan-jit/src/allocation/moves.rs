@@ -14,7 +14,7 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
         let still_read = moves.iter().any(|(_, source)| *source == Source::Register(to));
         if still_read {
             // In a cycle, the value in the target register is first moved elsewhere.
-            let elsewhere = match spare(&moves, states, registers) {
+            let elsewhere = match free_register(&moves, states, registers) {
                 Some(register) => {
                     code.round.push(MachineInstruction::Copy(register, to));
                     Source::Register(register)
@@ -31,7 +31,7 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
             }
             continue;
         }
-        code.round.push(MachineInstruction::bring(to, source));
+        code.round.push(MachineInstruction::load_into(to, source));
         moves.swap_remove(place);
     }
 }
@@ -44,7 +44,11 @@ fn next(moves: &[(Vector, Source<ValueLocation>)]) -> Option<usize> {
     moves.iter().position(is_free).or(if moves.is_empty() { None } else { Some(0) })
 }
 
-fn spare(moves: &[(Vector, Source<ValueLocation>)], states: usize, registers: usize) -> Option<Vector> {
+fn free_register(
+    moves: &[(Vector, Source<ValueLocation>)],
+    states: usize,
+    registers: usize,
+) -> Option<Vector> {
     let is_read = |register: Vector| moves.iter().any(|(_, source)| *source == Source::Register(register));
     (states..registers).map(|index| Vector(index as u8)).find(|register| !is_read(*register))
 }

@@ -69,14 +69,14 @@ impl Allocator<'_> {
     pub(super) fn fresh(&mut self) -> Vector {
         let index = match self.registers.iter().position(Option::is_none) {
             Some(free) => free,
-            None => self.give_up(),
+            None => self.spill(),
         };
         let taken = 1 + self.registers.iter().filter(|register| register.is_some()).count();
         self.code.most_taken = self.code.most_taken.max(taken as u8);
         Vector(index as u8)
     }
 
-    pub(super) fn give_up(&mut self) -> usize {
+    pub(super) fn spill(&mut self) -> usize {
         let next = |register: &usize| {
             self.registers[*register]
                 .and_then(|value| self.uses.next_after(value, self.time))

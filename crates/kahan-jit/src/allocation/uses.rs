@@ -1,6 +1,6 @@
 //! The later uses of each value, which decide which value is spilled.
 
-use crate::lowering::SIGN;
+use crate::lowering::SIGN_BIT;
 use crate::program::{Instruction, Program};
 
 pub(super) struct Uses {
@@ -8,13 +8,13 @@ pub(super) struct Uses {
     times: Vec<u32>,
     /// For each value, the range of its remaining uses in `times`.
     of: Vec<[usize; 2]>,
-    /// The index of the constant [`SIGN`], which negations read implicitly.
+    /// The index of the constant [`SIGN_BIT`], which negations read implicitly.
     sign: Option<usize>,
 }
 
 impl Uses {
     pub(super) fn of(program: &Program) -> Self {
-        let sign = program.operations.iter().position(|instruction| *instruction == SIGN);
+        let sign = program.operations.iter().position(|instruction| *instruction == SIGN_BIT);
         let operands = |instruction: &Instruction| {
             let flipped = sign.filter(|_| matches!(instruction, Instruction::Negate(_)));
             instruction.operands().map(|operand| operand.0).chain(flipped)

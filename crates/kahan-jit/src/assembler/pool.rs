@@ -16,7 +16,7 @@ pub(super) struct Pool {
 }
 
 /// The alignment of the first entry, a cache line.
-const LINE: usize = 64;
+const ENTRY_ALIGNMENT: usize = 64;
 const SHORTEST: usize = 16;
 
 impl Pool {
@@ -45,7 +45,7 @@ impl Pool {
         filler: u8,
         refer: impl Fn(&mut [u8], usize, usize),
     ) -> Vec<u8> {
-        code.resize(code.len().next_multiple_of(LINE), filler);
+        code.resize(code.len().next_multiple_of(ENTRY_ALIGNMENT), filler);
         let (start, length) = (code.len(), self.form.bytes().max(SHORTEST));
         for bits in &self.entries {
             match self.form.element {

@@ -33,7 +33,7 @@ impl<T: Float> Orbit<T> {
     /// # Panics
     /// If a state that the program reads has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
-        let ends = ends(program, shape);
+        let ends = state_destination(program, shape);
         let plan = RoundPlan { ends, keeps_constants: true };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         let [states, constants, steps, last_state, _] = GeneralRegister::ARGUMENTS;
@@ -47,7 +47,7 @@ impl<T: Float> Orbit<T> {
         let again = frame.assembler.label();
         frame.round(&addresses);
         frame.assembler.count_down(steps, again);
-        let round_bytes = frame.assembler.bytes_since(again);
+        let round_bytes = frame.assembler.label().0 - again.0;
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
@@ -96,7 +96,7 @@ impl<T: Float> ComposedOrbit<T> {
     /// # Panics
     /// If a state that the program reads has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
-        let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
+        let plan = RoundPlan { ends: state_destination(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         // The fifth argument is 0; its register holds the address of the next table entry.
         let [states, table, stages, steps, entry] = GeneralRegister::ARGUMENTS;
@@ -132,7 +132,7 @@ impl<T: Float> ComposedOrbit<T> {
 }
 
 /// Returns where states live between rounds: in registers if there are enough, otherwise in memory.
-fn ends(program: &Program, shape: Shape) -> ResultDestination {
+fn state_destination(program: &Program, shape: Shape) -> ResultDestination {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
     if program.outputs.len() <= room { ResultDestination::Carried } else { ResultDestination::InPlace }
 }

@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use super::fraction::{Fraction, PROMISE, greatest};
+use super::fraction::{ERROR_BOUND_FACTOR, Fraction, greatest};
 use super::{ExactMap, ExactStep, PolePolynomial, Verdict};
 use crate::ball::Ball;
 use crate::dyadic::Dyadic;
@@ -71,7 +71,7 @@ impl ExactStep for Balls {
             };
             let is_rough = thousandth((&most, &size));
             Some(Verdict {
-                keeps_promise: is_within(&Dyadic::new(PROMISE, -format.precision))?,
+                keeps_promise: is_within(&Dyadic::new(ERROR_BOUND_FACTOR, -format.precision))?,
                 is_rough: (is_rough || !thousandth((&least, &size_at_most))).then_some(is_rough)?,
                 error_u: if most.is_zero() {
                     0.0
@@ -141,7 +141,7 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
     /// This number of bits gives roots the precision of the longest scalar, unless many digits
     /// cancel.
-    const BITS: u64 = 320;
+    const ROOT_BITS: u64 = 320;
     let n = equation.dimension();
     let chosen = random.below(n as u64 + 1) as usize;
     let variable = if chosen == n { equation.epsilon() } else { chosen };
@@ -168,7 +168,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Pole
             for (j, entry) in entries.iter().filter(|(j, _)| columns >> j & 1 == 0) {
                 let is_odd = (columns >> j).count_ones() % 2 == 1;
                 let sum = next[columns | 1 << j].get_or_insert_with(Vec::new);
-                add_product(sum, minor, entry, is_odd, BITS);
+                add_product(sum, minor, entry, is_odd, ROOT_BITS);
             }
         }
         minors = next;
@@ -186,7 +186,7 @@ fn add_product(sum: &mut Vec<Dyadic>, minor: &[Dyadic], entry: &[Dyadic; 2], is_
             let product = coefficient * factor;
             let place = &mut sum[power + raised];
             let value = if is_subtracted { &*place - &product } else { &*place + &product };
-            *place = value.cut(bits).map_or(value, |(cut, _)| cut);
+            *place = value.truncated(bits).map_or(value, |(cut, _)| cut);
         }
     }
 }

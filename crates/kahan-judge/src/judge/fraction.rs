@@ -16,7 +16,7 @@ use crate::equation::AtPoint;
 use crate::float::Format;
 
 /// The factor in the error bound of `try_step`: ‖error‖∞ ≤ 64 u ‖exact‖∞, where u = 2^−precision.
-pub(crate) const PROMISE: i64 = 64;
+pub(crate) const ERROR_BOUND_FACTOR: i64 = 64;
 
 /// The numerators Nᵢ and the denominator d ≠ 0 of the step x̃ᵢ = Nᵢ/d.
 pub(crate) struct Fraction {
@@ -62,7 +62,7 @@ impl ExactStep for Fraction {
             } else {
                 error.clone().scaled(format.precision).ratio(&self.size)
             },
-            keeps_promise: within(&(&self.size * &Dyadic::new(PROMISE, -format.precision))),
+            keeps_promise: within(&(&self.size * &Dyadic::new(ERROR_BOUND_FACTOR, -format.precision))),
             is_rough: (&error * &Dyadic::new(1000, 0)).compare(&self.size) != Ordering::Greater,
         }
     }

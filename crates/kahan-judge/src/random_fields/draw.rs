@@ -7,9 +7,9 @@ use super::tree::{Tree, literal, negated, quotient};
 /// The greatest number of variables of a random field.
 pub const DIMENSIONS: usize = 6;
 
-pub(super) const PLAIN: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
+pub(super) const PLAIN_STATE_NAMES: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
 /// State names that collide with names in generated code.
-pub(super) const AWKWARD: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"];
+pub(super) const COLLIDING_STATE_NAMES: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"];
 
 /// A source of random choices.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ impl Draw {
         self.0.below(bound as u64) as usize
     }
 
-    pub(super) fn one<'a, V>(&mut self, choices: &'a [V]) -> &'a V {
+    pub(super) fn choose<'a, V>(&mut self, choices: &'a [V]) -> &'a V {
         &choices[self.below(choices.len())]
     }
 

@@ -8,7 +8,7 @@ pub(crate) mod odd;
 mod tree;
 
 use Tree::{Name, Product, Sum};
-use draw::{AWKWARD, PLAIN};
+use draw::{COLLIDING_STATE_NAMES, PLAIN_STATE_NAMES};
 pub use draw::{DIMENSIONS, Draw};
 pub use tree::Tree;
 use tree::{literal, negated, power, quotient};
@@ -59,7 +59,7 @@ fn field(
 
 /// Draws fields with one or two quadratic terms in each equation.
 pub fn sparse(n: usize, draw: &mut Draw) -> RandomField {
-    let states = &PLAIN[..n];
+    let states = &PLAIN_STATE_NAMES[..n];
     let equation = |draw: &mut Draw| {
         let terms = draw.below(2) + 1;
         Sum((0..terms)
@@ -72,7 +72,7 @@ pub fn sparse(n: usize, draw: &mut Draw) -> RandomField {
 
 /// Draws fields with constant, linear and quadratic terms.
 pub fn affine(n: usize, draw: &mut Draw) -> RandomField {
-    let states = &PLAIN[..n];
+    let states = &PLAIN_STATE_NAMES[..n];
     let equation = |draw: &mut Draw| {
         Sum(vec![
             draw.coefficient(),
@@ -87,7 +87,7 @@ pub fn affine(n: usize, draw: &mut Draw) -> RandomField {
 
 /// Draws fields with parameters as factors and in divisors.
 pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
-    let states = &PLAIN[..n];
+    let states = &PLAIN_STATE_NAMES[..n];
     let (a, b, k) = (|| Name("a"), || Name("b"), || Name("k"));
     let factors = [
         a(),
@@ -99,8 +99,8 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     ];
     let mut equation = |i: usize| {
         let mut terms = vec![
-            Product(vec![draw.one(&factors).clone(), draw.state(states), draw.state(states)]),
-            quotient(Product(vec![draw.state(states), draw.one(&factors).clone()]), k()),
+            Product(vec![draw.choose(&factors).clone(), draw.state(states), draw.state(states)]),
+            quotient(Product(vec![draw.state(states), draw.choose(&factors).clone()]), k()),
         ];
         if i == 0 {
             terms.push(Sum(vec![a(), negated(b())]));
@@ -114,7 +114,7 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
 /// Draws fields with coefficients ±1, and with parameters in some linear terms. For parameters ±1,
 /// leading terms of det A cancel.
 fn coupled(n: usize, draw: &mut Draw) -> RandomField {
-    let states = &PLAIN[..n];
+    let states = &PLAIN_STATE_NAMES[..n];
     let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };
     let mut equation = |i: usize| {
         let own = Product(vec![Name(PARAMETERS[draw.below(2)]), draw.state(states)]);
@@ -136,7 +136,7 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
 
 /// Draws fields in awkward spellings, with cubic terms that cancel.
 pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
-    let states = &AWKWARD[..n];
+    let states = &COLLIDING_STATE_NAMES[..n];
     let start = draw.below(n);
     let equation = |i: usize| {
         let state = |k: usize| Name(states[(start + i + k) % n]);
@@ -166,7 +166,7 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
 
 /// Draws fields in which every equation has every monomial.
 pub fn dense(n: usize, draw: &mut Draw) -> RandomField {
-    let states = &PLAIN[..n];
+    let states = &PLAIN_STATE_NAMES[..n];
     let mut equation = || {
         let mut terms = vec![draw.coefficient()];
         for i in 0..n {

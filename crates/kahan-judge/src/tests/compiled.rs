@@ -12,7 +12,7 @@ use crate::equation::Equation;
 use crate::float::Float;
 use crate::judge::{self, ExactMap};
 use crate::points::Inputs;
-use crate::survey::Target;
+use crate::survey::TrialTarget;
 use crate::tally::Tally;
 use crate::trial::{Trials, with_special_inputs};
 
@@ -61,7 +61,7 @@ impl Words for Dd {
     }
 }
 
-pub(super) struct Compiled(Target);
+pub(super) struct Compiled(TrialTarget);
 
 /// Returns the exact map of a field of any number of variables.
 pub(crate) fn judge_of(system: &System) -> Box<dyn ExactMap> {
@@ -85,7 +85,7 @@ impl Compiled {
 
     fn of(name: &str, system: &System, judge: Box<dyn ExactMap>) -> Self {
         let parameters = vec![None; system.field.symbols.parameters.len()];
-        Self(Target { name: name.to_owned(), parameters, is_odd: true, judge })
+        Self(TrialTarget { name: name.to_owned(), parameters, is_odd: true, judge })
     }
 
     pub(super) fn count(trials: u64) -> u64 {

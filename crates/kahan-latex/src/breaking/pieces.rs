@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 /// Returns the insides of the first fraction or parentheses at the top level of a factor.
-pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
+pub(super) fn group_insides(factor: &str) -> Option<Vec<Range<usize>>> {
     const FRACTION: &str = "\\frac{";
     const OPEN: &str = "\\left(";
-    let mut depth = Depth::default();
+    let mut depth = NestingDepth::default();
     for (at, _) in factor.char_indices() {
         let is_top = depth.is_top();
         depth.pass(&factor[at..]);
@@ -28,7 +28,7 @@ pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
 
 /// Returns the end of the group whose inside begins at `start`: a `}` or `\right`.
 pub(super) fn closing(text: &str, start: usize) -> usize {
-    let mut depth = Depth::default();
+    let mut depth = NestingDepth::default();
     for (at, _) in text[start..].char_indices() {
         depth.pass(&text[start + at..]);
         if depth.0 < 0 {
@@ -40,9 +40,9 @@ pub(super) fn closing(text: &str, start: usize) -> usize {
 
 /// The depth to which braces, `\left … \right` and environments are nested.
 #[derive(Default)]
-struct Depth(i32, bool);
+struct NestingDepth(i32, bool);
 
-impl Depth {
+impl NestingDepth {
     fn is_top(&self) -> bool {
         self.0 == 0
     }
@@ -84,7 +84,7 @@ pub(super) fn factors(term: &str) -> Vec<&str> {
     };
     let mut pieces: Vec<&str> = Vec::new();
     let mut start = 0;
-    let mut depth = Depth::default();
+    let mut depth = NestingDepth::default();
     for (at, c) in term.char_indices() {
         if c == ' ' && depth.is_top() && !glued(&term[start..at], &term[at..]) {
             pieces.push(&term[start..at]);
@@ -99,7 +99,7 @@ pub(super) fn factors(term: &str) -> Vec<&str> {
 pub(super) fn split(text: &str, begins: impl Fn(&str) -> bool) -> Vec<&str> {
     let mut pieces = Vec::new();
     let mut start = 0;
-    let mut depth = Depth::default();
+    let mut depth = NestingDepth::default();
     for (at, c) in text.char_indices() {
         if c == ' ' && depth.is_top() && at > 0 && begins(&text[at..]) {
             pieces.push(&text[start..at]);

@@ -6,7 +6,7 @@ use super::derivative::derivative;
 use super::{Definition, Formula};
 
 /// The greatest nesting of definitions. Deeper nesting means a cycle.
-const DEEPEST: usize = 64;
+const MAX_NESTING: usize = 64;
 
 /// Substitutes all definitions, and evaluates all derivatives `d(E, v)`.
 pub(crate) fn inline(
@@ -25,7 +25,7 @@ struct Scope<'a> {
 
 impl Scope<'_> {
     fn inline(&self, formula: &Formula) -> Result<Formula, String> {
-        if self.depth > DEEPEST {
+        if self.depth > MAX_NESTING {
             return Err("a definition uses itself".to_owned());
         }
         match formula.of_parts(&|part| self.inline(part))? {

@@ -22,7 +22,7 @@ mod inline;
 mod latex;
 mod mutate;
 mod parse;
-mod used;
+mod used_definitions;
 
 pub use latex::{LatexItem, latex_of};
 pub use mutate::mutations;
@@ -31,7 +31,7 @@ pub(crate) use {
     inline::inline,
     latex::statement_latex,
     parse::parse,
-    used::with_definitions,
+    used_definitions::with_definitions,
 };
 
 use kahan_algebra::rational::Rational;

@@ -3,7 +3,7 @@
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse_formula;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
+use kahan_algebra::syntax::{Expr, ExprKind, FormulaSyntax};
 use kahan_algebra::token::{Token, TokenKind};
 
 use super::{Definition, Formula, Item, Relation, Statement};
@@ -42,8 +42,8 @@ fn formula(tokens: &[Token]) -> Result<Formula, String> {
 }
 
 /// Converts an expression and drops its source positions.
-impl From<Expr<InFormula>> for Formula {
-    fn from(expr: Expr<InFormula>) -> Self {
+impl From<Expr<FormulaSyntax>> for Formula {
+    fn from(expr: Expr<FormulaSyntax>) -> Self {
         match expr.kind {
             ExprKind::Number(value) => Formula::Number(value),
             ExprKind::Name(name) => Formula::Name(name),
@@ -55,11 +55,11 @@ impl From<Expr<InFormula>> for Formula {
             ),
             ExprKind::Negation(inner) => Formula::Negation(Box::new((*inner).into())),
             ExprKind::Power(base, exponent) => Formula::from(*base).raised_to(exponent),
-            ExprKind::Special(InFormula::Power(parts)) => {
+            ExprKind::Special(FormulaSyntax::Power(parts)) => {
                 let [base, exponent] = parts.map(Formula::from);
                 Formula::Power(Box::new(base), Box::new(exponent))
             }
-            ExprKind::Special(InFormula::Call { function, arguments }) => {
+            ExprKind::Special(FormulaSyntax::Call { function, arguments }) => {
                 Formula::Call(function, arguments.into_iter().map(Formula::from).collect())
             }
         }

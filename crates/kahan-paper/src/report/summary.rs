@@ -11,7 +11,7 @@ const MOST_LINES: usize = 40;
 /// The headings of the columns, in the order of [`Outcome::place`].
 const OUTCOMES: [&str; Outcome::KINDS] = ["proved", "mod p", "exact", "numerical", "misprint", "failed"];
 
-const MORE: &str = "\
+const MORE_HINT: &str = "\
 kahan verify --all      every claim with its statement, its place in the paper and its time
 kahan verify SYSTEM     the claims about one system, a line each
 kahan atlas --out DIR   the same as a page with formulas and figures";
@@ -23,7 +23,7 @@ impl Verdicts {
     pub fn summary(&self, width: usize) -> String {
         let mut text = sections(self);
         text.push(String::new());
-        let more: Vec<String> = MORE.lines().map(str::to_owned).collect();
+        let more: Vec<String> = MORE_HINT.lines().map(str::to_owned).collect();
         let room = MOST_LINES - text.len() - more.len() - 1;
         text.extend(if self.failed > 0 { failures(self, room, width) } else { misprints(self, width) });
         text.push(String::new());

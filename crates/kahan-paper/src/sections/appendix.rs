@@ -9,7 +9,7 @@ use super::structures::structure;
 use super::text::read;
 
 /// Definitions of w = 1/x at three successive points of dE3 for ε = 1/2.
-const LINEARISED: &str = "
+const LINEARISED_DEFINITIONS: &str = "
     w0 := 1/x; w1 := at(next(1/x), eps, 1/2); w2 := at(next(next(1/x)), eps, 1/2);
     s := 1 + y^2/x^2; K := at(1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2)), eps, 1/2);
     L := (2*(w0^2 + w1^2) + s)/(4*w0*w1 - s)";
@@ -23,7 +23,7 @@ linear | (linde3), the linear recurrence | w2 - 2*L*w1 + w0 = 0
 ";
 
 /// The level set of H(ε) and K(ε), an intersection of two quadrics in s = x + y, d = x − y and z.
-const CURVE: &str = "
+const LEVEL_CURVE: &str = "
 curve.H | first equation of the curve in s and d |
     s := x + y; d := x - y; (1 - 2*H*eps^2)*s^2 - (1 + 2*H*eps^2)*d^2 = 4*H
 curve.K | second equation of the curve in s and d |
@@ -121,18 +121,21 @@ pub(super) fn claims() -> Vec<Claim> {
         read(LINEARISATION, |id, place, statement| {
             let place = format!("Section 7, {place}");
             Claim::new(Section::Diophantine, ["section7", "e3", id], "e3", place, statement)
-                .spelling(LINEARISED)
+                .with_used_definitions(LINEARISED_DEFINITIONS)
         }),
-        read(CURVE, |id, place, statement| claim(id, place, statement).given_definitions(&integrals)),
-        read(BRANCH_POINTS, |id, place, statement| claim(id, place, statement).spelling(SQUARES)),
-        read(SMOOTHNESS, |id, place, statement| claim(id, place, statement).spelling(RATIOS)),
-        read(BILINEAR, |id, place, statement| claim(id, place, statement).spelling(HOMOGENEOUS)),
+        read(LEVEL_CURVE, |id, place, statement| claim(id, place, statement).given_definitions(&integrals)),
+        read(BRANCH_POINTS, |id, place, statement| {
+            claim(id, place, statement).with_used_definitions(SQUARES)
+        }),
+        read(SMOOTHNESS, |id, place, statement| claim(id, place, statement).with_used_definitions(RATIOS)),
+        read(BILINEAR, |id, place, statement| claim(id, place, statement).with_used_definitions(HOMOGENEOUS)),
         read(ELLIPTIC, claim),
         read(INTEGRALS, |id, place, statement| {
-            claim(id, place, statement).given_definitions(&level).spelling(PARAMETERS)
+            claim(id, place, statement).given_definitions(&level).with_used_definitions(PARAMETERS)
         }),
         read(THETA, |id, place, statement| {
-            let claim = claim(id, place, statement).spelling(SOLUTION).spelling(CONSTANTS);
+            let claim =
+                claim(id, place, statement).with_used_definitions(SOLUTION).with_used_definitions(CONSTANTS);
             claim.within("q", Rational::new(1, 50), Rational::new(1, 4))
         }),
     ]

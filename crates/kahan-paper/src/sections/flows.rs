@@ -96,7 +96,7 @@ table5.euler.solution | Table 5, addition: the Euler top with alpha1 alpha2 > 0 
 fn other_tops() -> Vec<Claim> {
     read(OTHER_TOPS, |id, place, statement| {
         let system = id.split('.').find_map(find).expect("a system in the name").command;
-        Claim::new(Section::FlowSolutions, [id], system, place, statement).spelling(
+        Claim::new(Section::FlowSolutions, [id], system, place, statement).with_used_definitions(
             "p := lambda*k*cn(lambda*T, k); q := lambda*dn(lambda*T, k); r := lambda*k*sn(lambda*T, k)",
         )
     })

@@ -6,7 +6,7 @@ use super::text::read;
 
 /// Definitions of the components Fᵢ of the field, of their homogeneous parts Qᵢ, Bᵢ and Cᵢ of
 /// degrees 2, 1 and 0, and of Kronecker's δᵢⱼ.
-const PARTS: &str = "
+const COMPONENT_DEFINITIONS: &str = "
     F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w);
     F3(u, v, w) := at(f3, x, u, y, v, z, w);
     C1 := F1(0, 0, 0); C2 := F2(0, 0, 0); C3 := F3(0, 0, 0);
@@ -21,7 +21,7 @@ const PARTS: &str = "
 
 /// Identities for generic fields. The placeholders `{i}`, `{x}` and `{X}` stand for a row, its
 /// state and its next state, and `{j}` for a column.
-const METHOD: &str = "
+const METHOD_CLAIMS: &str = "
 scheme | definition of the map |
     ({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2
         + B{i}(x + X, y + Y, z + Z)/2 + C{i}
@@ -52,7 +52,7 @@ scaling | scaling, homogeneous fields |
 ";
 
 /// Claims about a bracket from an integral and a volume form.
-const CONSTRUCTION: &str = "
+const CONSTRUCTION_CLAIMS: &str = "
 proposition |
     proposition (n = 3): an invariant I and an invariant volume (1/phi) dx dy dz give an invariant bracket;
     m is the Jacobian matrix, g the gradient of I at the next point, v that of I at this point |
@@ -73,7 +73,7 @@ bracket.compatible | brackets with one phi are compatible |
 ";
 
 /// Repeats a statement for each row and column that its placeholders mention.
-fn each(pattern: &str) -> String {
+fn for_rows_and_columns(pattern: &str) -> String {
     let row = |i: usize| {
         let (x, next) = [("x", "X"), ("y", "Y"), ("z", "Z")][i];
         pattern.replace("{i}", &(i + 1).to_string()).replace("{x}", x).replace("{X}", next)
@@ -97,7 +97,7 @@ pub(super) fn claims() -> Vec<Claim> {
         move |id: &str, place: &str, statement: &str| {
             let place = format!("Section {number}, {place}");
             let id = [&format!("section{number}"), id];
-            Claim::new(section, id, system, place, each(statement)).given_definitions(&given)
+            Claim::new(section, id, system, place, for_rows_and_columns(statement)).given_definitions(&given)
         }
     };
     let [phi, integral, other] = ["p", "i", "l"].map(generic_function);
@@ -106,9 +106,9 @@ pub(super) fn claims() -> Vec<Claim> {
          P12 := phi*d(I, z); P23 := phi*d(I, x); P31 := phi*d(I, y)"
     );
     [
-        read(METHOD, of(Section::Method, "1", "general", PARTS)),
-        read(HOMOGENEOUS, of(Section::Method, "1", "homogeneous", PARTS)),
-        read(CONSTRUCTION, of(Section::Construction, "4", "general", "")),
+        read(METHOD_CLAIMS, of(Section::Method, "1", "general", COMPONENT_DEFINITIONS)),
+        read(HOMOGENEOUS, of(Section::Method, "1", "homogeneous", COMPONENT_DEFINITIONS)),
+        read(CONSTRUCTION_CLAIMS, of(Section::Construction, "4", "general", "")),
         read(BRACKETS, of(Section::Brackets, "2", "general", &functions)),
     ]
     .concat()

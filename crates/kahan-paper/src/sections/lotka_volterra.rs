@@ -53,7 +53,7 @@ linear | the linear recurrence of order six | x6 - x = (1 - H_hat)*(x4 - x2)
 pub(super) fn claims() -> Vec<Claim> {
     read(CLAIMS, |id, place, statement| {
         Claim::new(Section::Method, ["section1", "lv", id], "lv", format!("Section 1, {place}"), statement)
-            .spelling(INTEGRAL)
-            .spelling(ITERATES)
+            .with_used_definitions(INTEGRAL)
+            .with_used_definitions(ITERATES)
     })
 }

@@ -134,7 +134,7 @@ reduction.e9.e4 | Section 6, dE9 at xi = -1 is dE4 |
 ";
 
 /// Kahan's map commutes with linear changes of variables.
-const CHANGES: &str = "
+const LINEAR_CHANGES: &str = "
 change.e4.euler.flow | Section 3, E4 is an Euler top |
     dot(x - y) = at(f(euler, 1), x, x - y, y, x + y, z, z, a1, -1, a2, -1, a3, 1);
     dot(x + y) = at(f(euler, 2), x, x - y, y, x + y, z, z, a1, -1, a2, -1, a3, 1);
@@ -164,7 +164,7 @@ change.e9.inverse | Section 6, E9 with x and y exchanged and time multiplied by 
 ";
 
 /// Removable poles: det A and the numerators of the map have a common factor.
-const POLES: &str = "
+const REMOVABLE_POLES: &str = "
 removable.e1 | Section 5, dE1 on the whole of 1 + eps x = 0, addition |
     at(detA, x, -1/eps) = 0; on(next(x), -1/eps, y, z) = 1/eps; on(next(y), -1/eps, y, z) = -y;
     on(next(z), -1/eps, y, z) = z - 2*eps*y^2
@@ -182,7 +182,7 @@ pole.e3 | Section 5, removable pole of dE3 on 1 + eps z = 0, addition |
 ";
 
 pub(super) fn claims() -> Vec<Claim> {
-    let texts = [EULER_TOP, MATRICES, DIFFERENCES, REDUCTIONS, CHANGES, POLES];
+    let texts = [EULER_TOP, MATRICES, DIFFERENCES, REDUCTIONS, LINEAR_CHANGES, REMOVABLE_POLES];
     texts.iter().flat_map(|text| read(text, claim)).collect()
 }
 

@@ -83,11 +83,11 @@ pub(super) fn claims() -> Vec<Claim> {
     let theorem = SOLUTIONS.iter().flat_map(|solution| solution.claims("", "", ["", "", ""]));
     [
         theorem.collect(),
-        read(PROOF, solved),
+        read(PROOF_CLAIMS, solution_claim),
         read(SYMMETRIES, claim),
         branches::claims(),
         initial_data::claims(),
-        read(OTHER_TOPS, |id, place, statement| claim(id, place, statement).spelling(ELLIPTIC)),
+        read(OTHER_TOPS, |id, place, statement| claim(id, place, statement).with_used_definitions(ELLIPTIC)),
     ]
     .concat()
 }
@@ -135,7 +135,7 @@ impl Solution {
 }
 
 /// Further claims that the proof of the theorem makes.
-const PROOF: &str = "
+const PROOF_CLAIMS: &str = "
 theorem3.e3.proof.K | Theorem 3, proof, i = 3, value of K(eps) |
     delta := log(u); on(K_eps, X(n), Y(n), Z(n)) = tanh(delta)^2/(2*eps^2);
     on(H_eps, X(n), Y(n), Z(n)) = tan(theta)
@@ -185,7 +185,7 @@ fn claim(id: &str, place: &str, statement: &str) -> Claim {
 }
 
 /// Makes a claim whose statement may use the solution.
-fn solved(id: &str, place: &str, statement: &str) -> Claim {
+fn solution_claim(id: &str, place: &str, statement: &str) -> Claim {
     let claim = claim(id, place, statement);
     let solution = SOLUTIONS.iter().find(|solution| solution.system == claim.system);
     claim.given_definitions(&solution.map_or_else(String::new, Solution::definitions))

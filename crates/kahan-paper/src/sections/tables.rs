@@ -10,7 +10,7 @@ use super::structures::{Algebra, STRUCTURES, StructureRow};
 use super::text::{ClaimText, read};
 
 /// Claims about a flow, of Table 1 and Section 3, or of Section 6 for E7 to E9.
-const FLOW: &str = "
+const FLOW_CLAIMS: &str = "
 table1.{e}.P | {table}, P |
     {P12}; {P23}; {P31}; jacobi(P12, P23, P31) = 0;
     P12*d(H, y) - P31*d(H, z) = 0; P23*d(H, z) - P12*d(H, x) = 0; P31*d(H, x) - P23*d(H, y) = 0;
@@ -38,14 +38,14 @@ section3.{e}.compatible | {section}, compatibility |
 ";
 
 /// Claims about the Lie algebra of a tensor.
-const ALGEBRA: &str = "
+const ALGEBRA_CLAIMS: &str = "
 section3.{e}.algebra_{t} | {table}, {t} is the algebra {algebra} |
     bracket({t}12, {t}23, {t}31, {e1}, {e2}) = {e1e2}; bracket({t}12, {t}23, {t}31, {e2}, {e3}) = {e2e3};
     bracket({t}12, {t}23, {t}31, {e3}, {e1}) = {e3e1}
 ";
 
 /// Claims about a map, of Tables 2 to 4 and Theorems 1 and 2.
-const MAP: &str = "
+const MAP_CLAIMS: &str = "
 table2.{e}.limit | Table 2, i = {i}, at eps = 0 | at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K
 theorem1.{e}.flow | Theorem 1, the volume form of the flow, i = {i} | divergence(c/(H*K)) = 0
 theorem1.{e}.map | Theorem 1, (form), the volume form of the map, i = {i} | detJ*next(c/(H*K)) = c/(H*K)
@@ -76,7 +76,7 @@ theorem2.{e}.involution | Theorem 2, i = {i}, H(eps) and K(eps) commute |
 ";
 
 /// Claims for systems whose function c is not constant. Their maps preserve the bracket Q(ε)/c.
-const FACTOR: &str = "
+const DENSITY_FACTOR_CLAIMS: &str = "
 theorem2.{e}.factor | Theorem 2, i = {i}, Q(eps) without the factor 1/c is not invariant |
     Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
         + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) != next(Q12_eps);
@@ -138,15 +138,15 @@ fn row(s: &StructureRow) -> Vec<Claim> {
         };
         Claim::new(section, [id], s.system, place, statement).given_definitions(s.definitions)
     };
-    let mut text = filled(FLOW);
+    let mut text = filled(FLOW_CLAIMS);
     for (tensor, algebra) in ["P", "Q"].into_iter().zip(s.algebras) {
-        text += &of_algebra(tensor, algebra, &filled(ALGEBRA));
+        text += &of_algebra(tensor, algebra, &filled(ALGEBRA_CLAIMS));
     }
     if s.has_map() {
-        text += &filled(MAP);
+        text += &filled(MAP_CLAIMS);
     }
     if ["e1", "e3"].contains(&s.system) {
-        text += &filled(FACTOR);
+        text += &filled(DENSITY_FACTOR_CLAIMS);
     }
     read(&text, claim)
 }

@@ -14,7 +14,7 @@ use super::{MachineFloat, MapAt};
 use crate::dimension::Argument;
 use crate::engine::{Columns, values_of, with_scratch};
 use crate::follow::is_finite;
-use crate::machine::StepKind;
+use crate::machine_code::StepKind;
 use crate::{DimensionError, End, Follow, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
@@ -62,7 +62,7 @@ impl<T: MachineFloat> MapAt<T> {
         parameters: &[&[T]],
         steps: u64,
     ) {
-        let (own, own_eps) = self.own();
+        let (own, own_eps) = self.parameters_and_eps();
         let eps = if eps.is_empty() { &[own_eps] } else { eps };
         let own: SmallVec<[&[T]; 8]> = own.iter().map(slice::from_ref).collect();
         let are_own = parameters.is_empty();
@@ -106,7 +106,7 @@ impl<T: MachineFloat> MapAt<T> {
             let values: Vec<f64> = values.map(Scalar::approximate).collect();
             let eps = values_of(eps, &(k..k + 1))[0].approximate();
             if !self.map.field().derived().is_defined_at(&Float64, &values, &eps) {
-                columns.iter_mut().for_each(|column| column[k] = nothing());
+                columns.iter_mut().for_each(|column| column[k] = undefined());
             }
         }
     }
@@ -140,7 +140,7 @@ impl<T: MachineFloat> MapAt<T> {
 
         let trajectories = self.check_columns(columns)?;
         self.check_constants(eps, parameters, trajectories)?;
-        let own_eps = [self.own().1];
+        let own_eps = [self.parameters_and_eps().1];
         let of_kind = if eps.is_empty() { &own_eps } else { eps };
         let Some(kind) = self.engine().kind_of_orbits(self.kind, of_kind, self.composition) else {
             return self.follow_one_by_one(columns, eps, parameters, steps);
@@ -179,7 +179,7 @@ impl<T: MachineFloat> MapAt<T> {
             if now > 0 {
                 self.advance_in(kind, columns, eps, parameters, now);
             }
-            let lost = lost(columns, ends);
+            let lost = lost_trajectories(columns, ends);
             if !lost.is_empty() {
                 let of = |values: &[T]| -> Vec<T> {
                     if values.len() > 1 { lost.iter().map(|&k| values[k]).collect() } else { values.to_vec() }
@@ -190,7 +190,7 @@ impl<T: MachineFloat> MapAt<T> {
                 let finite = self.finite_steps(kind, starts, &of(eps), &own, now);
                 for (&k, steps) in lost.iter().zip(finite) {
                     ends[k] = End::Range(made + steps);
-                    columns.iter_mut().for_each(|column| column[k] = nothing());
+                    columns.iter_mut().for_each(|column| column[k] = undefined());
                 }
             }
             made += now;
@@ -240,7 +240,7 @@ impl<T: MachineFloat> MapAt<T> {
             let map = &maps[k.min(maps.len() - 1)];
             let mut x: Vec<T> = columns.iter().map(|column| column[k]).collect();
             let Followed { end, .. } = map.follow(&mut x, steps, |_| ControlFlow::Continue(()))?;
-            x.iter_mut().filter(|_| end != End::Complete).for_each(|x| *x = nothing());
+            x.iter_mut().filter(|_| end != End::Complete).for_each(|x| *x = undefined());
             columns.iter_mut().zip(x).for_each(|(column, x)| column[k] = x);
             Ok(end)
         };
@@ -272,7 +272,7 @@ impl<T: MachineFloat> MapAt<T> {
         let lengths = parameters.iter().map(|values| values.len()).chain([eps.len().max(1)]);
         let maps = lengths.into_iter().find(|length| *length != 1).unwrap_or(1);
         self.check_constants(eps, parameters, maps)?;
-        let (own_parameters, own_eps) = self.own();
+        let (own_parameters, own_eps) = self.parameters_and_eps();
         let field = self.map.field();
         let map = |k: usize| {
             let eps = values_of(eps, &(k..k + 1)).first().copied().unwrap_or(own_eps);
@@ -283,7 +283,7 @@ impl<T: MachineFloat> MapAt<T> {
             let named = field.parameters().iter().zip(values.clone().map(|value| value.approximate()));
             match field.with(named) {
                 Ok(map) => self.at_constants(map, values, eps),
-                Err(_) => self.at_constants(self.map.clone(), own_parameters.iter().copied(), nothing()),
+                Err(_) => self.at_constants(self.map.clone(), own_parameters.iter().copied(), undefined()),
             }
         };
         Ok((0..maps).map(map).collect())
@@ -325,11 +325,11 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
-fn nothing<T: MachineFloat>() -> T {
+fn undefined<T: MachineFloat>() -> T {
     T::zero() / T::zero()
 }
 
-fn lost<T: MachineFloat>(columns: &[&mut [T]], ends: &[End]) -> Vec<usize> {
+fn lost_trajectories<T: MachineFloat>(columns: &[&mut [T]], ends: &[End]) -> Vec<usize> {
     if columns.iter().all(|column| is_finite(column)) {
         return Vec::new();
     }

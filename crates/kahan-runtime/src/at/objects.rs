@@ -1,6 +1,6 @@
 //! The field, the Jacobians, the integrals and the brackets of a map at a state.
 
-use crate::engine::Object;
+use crate::engine::MapObject;
 use crate::{ClaimError, DimensionError};
 
 use super::{MapAt, RuntimeFloat};
@@ -11,7 +11,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// # Errors
     /// [`DimensionError`] if the length of `x` or `out` is not the dimension n.
     pub fn field(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.object(Object::Field, x, out, self.dimension())
+        self.object(MapObject::Field, x, out, self.dimension())
     }
 
     /// Writes f′(x), row by row: ∂fᵢ/∂xⱼ is entry n·i + j, for n variables.
@@ -19,7 +19,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// # Errors
     /// [`DimensionError`] unless `x` has n entries and `out` has n² entries.
     pub fn field_jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.object(Object::FieldJacobian, x, out, self.dimension().pow(2))
+        self.object(MapObject::FieldJacobian, x, out, self.dimension().pow(2))
     }
 
     /// Writes A(x,ε) = I − εf′(x), row by row, for n variables.
@@ -27,7 +27,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// # Errors
     /// [`DimensionError`] unless `x` has n entries and `out` has n² entries.
     pub fn matrix(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.object(Object::Matrix, x, out, self.dimension().pow(2))
+        self.object(MapObject::Matrix, x, out, self.dimension().pow(2))
     }
 
     /// Writes ∂x̃/∂x, row by row, for n variables.
@@ -35,7 +35,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// # Errors
     /// [`DimensionError`] unless `x` has n entries and `out` has n² entries.
     pub fn jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.object(Object::Jacobian, x, out, self.dimension().pow(2))
+        self.object(MapObject::Jacobian, x, out, self.dimension().pow(2))
     }
 
     /// Returns ∂x̃/∂p for the parameter p with this index; the index after the last parameter
@@ -57,7 +57,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// # Errors
     /// [`DimensionError`] unless `x` has an entry for each variable, and `out` for each integral.
     pub fn integrals(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.object(Object::Integrals, x, out, self.map.field().integrals().len())
+        self.object(MapObject::Integrals, x, out, self.map.field().integrals().len())
     }
 
     /// Returns the density of the invariant measure.
@@ -69,7 +69,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             return Err(ClaimError::NoDensity);
         }
         let mut out = [T::zero()];
-        self.object(Object::Density, x, &mut out, 1)?;
+        self.object(MapObject::Density, x, &mut out, 1)?;
         Ok(out[0])
     }
 
@@ -85,16 +85,22 @@ impl<T: RuntimeFloat> MapAt<T> {
             return Err(ClaimError::NoBracket { name: name.to_owned(), brackets });
         };
         let n = self.dimension();
-        self.object(Object::Bracket(index), x, out, n.pow(2))?;
+        self.object(MapObject::Bracket(index), x, out, n.pow(2))?;
         spread_antisymmetric(out, n);
         Ok(())
     }
 
-    fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
+    fn object(
+        &self,
+        object: MapObject,
+        x: &[T],
+        out: &mut [T],
+        entries: usize,
+    ) -> Result<(), DimensionError> {
         self.check_state(x)?;
         self.check_out(out, entries)?;
         if entries > 0 {
-            let is_integral = matches!(object, Object::Integrals);
+            let is_integral = matches!(object, MapObject::Integrals);
             let constants = if is_integral { &self.of_integrals } else { &self.constants };
             self.engine().evaluate(object, constants, x, out);
         }

@@ -13,7 +13,7 @@ use kahan_core::{EnsembleScalar, Level, Scalar};
 use super::group::RuntimeGroup;
 use super::{MachineFloat, MapAt, RuntimePoint};
 use crate::dimension::Argument;
-use crate::engine::{CodedStages, GroupCode};
+use crate::engine::{CompiledStages, GroupCode};
 use crate::follow::{is_within, pause};
 use crate::{DimensionError, End, Followed};
 
@@ -187,7 +187,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code_with_vectors(stages, None, (vectors, true), first.set, workspace)
     }
 
-    fn coded_group(maps: [&Self; GROUP]) -> Option<[&CodedStages<T>; GROUP]> {
+    fn coded_group(maps: [&Self; GROUP]) -> Option<[&CompiledStages<T>; GROUP]> {
         let [first, ..] = maps;
         let mut stages = [first.coded.as_ref()?; GROUP];
         for (stages, map) in stages.iter_mut().zip(maps) {

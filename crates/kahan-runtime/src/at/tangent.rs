@@ -8,7 +8,7 @@ use kahan_dynamics::Precision;
 use smallvec::SmallVec;
 
 use super::group::{AlignedGroups, MOST};
-use crate::engine::{Object, Scratch, determinant, with_scratch};
+use crate::engine::{MapObject, Scratch, determinant, with_scratch};
 use crate::{Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint, Sensitivity};
 
 const MOST_COLUMNS: usize = 3 * MOST + 2;
@@ -24,7 +24,7 @@ impl<T: MachineFloat> MapAt<T> {
     pub(super) fn has_tangent_line(&self) -> bool {
         let has_plain_steps = matches!(self.kind.precision, Precision::Single | Precision::Double);
         let is_composed = self.composition.stages() > 1;
-        has_plain_steps && !is_composed && self.engine().line(Object::Tangent).is_some()
+        has_plain_steps && !is_composed && self.engine().line(MapObject::Tangent).is_some()
     }
 
     fn check_lengths(&self, x: &[T], v: &[T]) {
@@ -68,7 +68,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     pub fn sensitivities(&self, by: &[Sensitivity]) -> Self {
         let field = Field { engine: self.engine().sensitivities(by) };
         let mut parameters = self.map.parameters().to_vec();
-        let (own, eps) = self.own();
+        let (own, eps) = self.parameters_and_eps();
         let mut constants = own.to_vec();
         if by.contains(&Sensitivity::Epsilon) {
             let inverse = T::one() / eps;
@@ -114,7 +114,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         self.check_lengths(x, v);
         self.check_lengths(next, v);
         let state: SmallVec<[T; 32]> = [x, v, next, next].into_iter().flatten().copied().collect();
-        self.engine().evaluate(Object::Tangent, &self.constants, &state, v);
+        self.engine().evaluate(MapObject::Tangent, &self.constants, &state, v);
     }
 
     /// Propagates one or two vectors of each orbit, if there is machine code.

@@ -76,7 +76,7 @@ impl Denominator {
 
     /// Decides in floats; `None` if the error bound permits both answers.
     fn has_root_in_floats(&self, x: &[f64]) -> Option<bool> {
-        let mut coefficients = [0.0; roots::MOST];
+        let mut coefficients = [0.0; roots::MAX_COEFFICIENTS];
         let coefficients = coefficients.get_mut(..=self.degree)?;
         let (mut sizes, mut unknown) = (0.0, 0.0);
         for Term { power, coefficient, factors } in &self.terms {

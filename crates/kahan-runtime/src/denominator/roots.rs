@@ -7,10 +7,10 @@ use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::rational::Rational;
 
 /// The largest number of coefficients.
-pub(super) const MOST: usize = MOST_EXPANDED + 1;
+pub(super) const MAX_COEFFICIENTS: usize = MOST_EXPANDED + 1;
 
 /// The number of bisections of the interval before floats give up.
-const HALVINGS: u32 = 12;
+const MAX_HALVINGS: u32 = 12;
 
 /// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of size `error` permit both
 /// answers.
@@ -18,7 +18,7 @@ const HALVINGS: u32 = 12;
 /// Writes the polynomial in Bernstein form, whose coefficients bound all values on the interval.
 /// The first and the last coefficient are the values at the ends.
 pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
-    let mut form = [0.0; MOST];
+    let mut form = [0.0; MAX_COEFFICIENTS];
     let form = form.get_mut(..coefficients.len())?;
     form.copy_from_slice(coefficients);
     let degree = form.len() - 1;
@@ -32,7 +32,7 @@ pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
             form[j] += form[j - 1];
         }
     }
-    of_form(form, error, HALVINGS)
+    of_form(form, error, MAX_HALVINGS)
 }
 
 fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
@@ -47,7 +47,7 @@ fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
     let halvings = halvings.checked_sub(1)?;
     // De Casteljau's algorithm: the diagonal has the coefficients of the left half, and the last
     // row has the coefficients of the right half.
-    let mut left = [0.0; MOST];
+    let mut left = [0.0; MAX_COEFFICIENTS];
     let left = &mut left[..form.len()];
     for (k, value) in left.iter_mut().enumerate() {
         *value = form[0];

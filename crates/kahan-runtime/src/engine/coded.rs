@@ -10,11 +10,11 @@ use kahan_core::num_traits::Zero;
 use kahan_core::{Composition, Scalar};
 
 use crate::follow::is_finite;
-use crate::machine::{OrbitCode, StepKind};
+use crate::machine_code::{OrbitCode, StepKind};
 
 use super::Engine;
 use super::dense::advance_columns as advance_dense_columns;
-use super::distinct;
+use super::distinct_coefficients;
 use super::floats::{MachineFloat, RuntimeFloat};
 use super::group_code::GroupCodeCell;
 use super::scratch::{Scratch, with_scratch};
@@ -26,7 +26,7 @@ type OrbitCodeCell<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
 /// The stages of a step as code, with constants for each distinct stage; the middle stage is last.
 #[derive(Clone, Debug)]
-pub(crate) struct CodedStages<T: RuntimeFloat> {
+pub(crate) struct CompiledStages<T: RuntimeFloat> {
     /// The code for plain states, then the code for states with rounding errors.
     codes: [Arc<OrbitCodeCell<T::Word>>; 2],
     pub(super) kind: StepKind,
@@ -34,10 +34,10 @@ pub(crate) struct CodedStages<T: RuntimeFloat> {
     pub(super) abreast: Arc<GroupCodeCell<T::Word>>,
 }
 
-impl<T: RuntimeFloat> CodedStages<T> {
+impl<T: RuntimeFloat> CompiledStages<T> {
     fn new(code: OrbitCodeCell<T::Word>, kind: StepKind, constants: Arc<[Vec<T::Word>]>) -> Self {
         let codes = [Arc::new(code), Arc::default()];
-        CodedStages { codes, kind, constants, abreast: Arc::default() }
+        CompiledStages { codes, kind, constants, abreast: Arc::default() }
     }
 
     /// Returns the number of distinct stages, if it is equal for `all` and the kinds are equal.
@@ -109,7 +109,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     ) -> bool {
         let code = self.compiled().filter(|code| !code.is_guarded() && !code.has_loops());
         let (Some(code), Some(words)) = (code, T::as_words(state)) else { return false };
-        let stages = || distinct(&composition).map(|gamma| self.kind.stage_eps(gamma, eps));
+        let stages = || distinct_coefficients(&composition).map(|gamma| self.kind.stage_eps(gamma, eps));
         let step = engine.steps().form(self.kind.is_general);
         if engine.kind_at(self.kind, stages()) != Some(self.kind) || !step.has_lanes() {
             return false;
@@ -162,7 +162,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     }
 }
 
-impl<T: MachineFloat> CodedStages<T> {
+impl<T: MachineFloat> CompiledStages<T> {
     pub(crate) fn has_stepped(&self, state: &[T], next: &mut [T]) -> bool {
         let Some(code) = self.compiled().filter(|code| !code.is_guarded()) else { return false };
         code.step(state, &self.constants, next);
@@ -171,13 +171,13 @@ impl<T: MachineFloat> CodedStages<T> {
 }
 
 impl Engine {
-    fn looped_stages<T: RuntimeFloat>(&self, kind: StepKind, own: &[Vec<T>]) -> Option<CodedStages<T>> {
+    fn looped_stages<T: RuntimeFloat>(&self, kind: StepKind, own: &[Vec<T>]) -> Option<CompiledStages<T>> {
         let packed = |own: &Vec<T>| -> Option<Vec<T::Word>> {
             self.packed(&own.iter().flat_map(|number| number.words()).collect::<Vec<_>>())
         };
         let constants = own.iter().map(packed).collect::<Option<_>>()?;
         let loops = OnceLock::from(Some(Arc::new(OrbitCode::loops(kind))));
-        Some(CodedStages::new(loops, kind, constants))
+        Some(CompiledStages::new(loops, kind, constants))
     }
 
     /// Returns the stages of a composition as code; `None` if there is no code, or if the stages
@@ -186,7 +186,7 @@ impl Engine {
         &self,
         kind: StepKind,
         own: &[Vec<T>],
-    ) -> Option<CodedStages<T>> {
+    ) -> Option<CompiledStages<T>> {
         if self.has_loops(kind) {
             return self.looped_stages(kind, own);
         }
@@ -202,6 +202,6 @@ impl Engine {
             None => own.iter().flat_map(|number| number.words()).collect(),
         };
         let constants = own.iter().map(&mut prepared).collect();
-        Some(CodedStages::new(code, kind, constants))
+        Some(CompiledStages::new(code, kind, constants))
     }
 }

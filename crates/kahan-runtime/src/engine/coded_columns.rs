@@ -7,13 +7,13 @@ use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;
 
 use crate::follow::is_finite;
-use crate::machine::{ColumnsCode, InstructionSet, StepKind};
+use crate::machine_code::{ColumnsCode, InstructionSet, StepKind};
 
 use super::coded::GUARDED;
 use super::columns::{Columns, Tile, advance};
 use super::floats::MachineFloat;
 use super::scratch::with_scratch;
-use super::{Engine, distinct, in_turn};
+use super::{Engine, distinct_coefficients, for_each_stage};
 
 const TILE: usize = 512;
 /// The number of bytes in a cache line.
@@ -93,7 +93,8 @@ fn run<T: MachineFloat>(
     kind: StepKind,
 ) {
     with_scratch(T::single(), |scratch| {
-        let mut prepared = Prepared { code, kind, composition, constants: &mut scratch.given, length: 0 };
+        let mut prepared =
+            PreparedColumns { code, kind, composition, constants: &mut scratch.given, length: 0 };
         let is_one = |values: &[T]| values.len() == 1;
         let are_shared = is_one(columns.eps) && columns.parameters.iter().all(|values| is_one(values));
         if are_shared {
@@ -166,7 +167,7 @@ fn run_in_lines<T: MachineFloat>(
     tile.iter_mut().zip(columns()).for_each(|(column, place)| column.copy_from_slice(&moved[place]));
 }
 
-struct Prepared<'a, T> {
+struct PreparedColumns<'a, T> {
     code: &'a ColumnsCode<T>,
     kind: StepKind,
     composition: Composition,
@@ -174,7 +175,7 @@ struct Prepared<'a, T> {
     length: usize,
 }
 
-impl<T: MachineFloat> Prepared<'_, T> {
+impl<T: MachineFloat> PreparedColumns<'_, T> {
     /// Prepares the constants of some SIMD registers of trajectories, from trajectory `first` on.
     fn of_registers(
         &mut self,
@@ -186,7 +187,7 @@ impl<T: MachineFloat> Prepared<'_, T> {
         let (width, last) =
             (self.code.width(), columns.first().map_or(0, |column| column.len()).saturating_sub(1));
         self.constants.clear();
-        for gamma in distinct(&self.composition) {
+        for gamma in distinct_coefficients(&self.composition) {
             for register in 0..registers {
                 let place = |lane: usize| last.min(first + register * width + lane);
                 let of = |values: &[T], lane: usize| {
@@ -198,17 +199,17 @@ impl<T: MachineFloat> Prepared<'_, T> {
                 self.code.prepare(given, self.constants);
             }
         }
-        self.length = self.constants.len() / distinct(&self.composition).len();
+        self.length = self.constants.len() / distinct_coefficients(&self.composition).len();
     }
 
     fn run(&self, tile: &mut [&mut [T]], are_shared: bool, steps: u64) {
-        let stages = distinct(&self.composition).len();
+        let stages = distinct_coefficients(&self.composition).len();
         let of_stage = |k: usize| &self.constants[k * self.length..][..self.length];
         if stages == 1 {
             self.code.advance_columns(tile, of_stage(0), are_shared, steps);
         } else {
             (0..steps).for_each(|_| {
-                in_turn(stages, |k| self.code.advance_columns(tile, of_stage(k), are_shared, 1));
+                for_each_stage(stages, |k| self.code.advance_columns(tile, of_stage(k), are_shared, 1));
             });
         }
     }

@@ -10,13 +10,13 @@ use kahan_core::__private::Lanes;
 use kahan_core::Composition;
 use smallvec::SmallVec;
 
-use crate::machine::StepKind;
+use crate::machine_code::StepKind;
 
 use super::couplings::EliminationPattern;
 use super::floats::{MachineFloat, RuntimeFloat};
 use super::scratch::{Scratch, ScratchKey, with_scratch};
-use super::step::{Step, Steps};
-use super::{Engine, distinct, in_turn};
+use super::step::{Step, StepForms};
+use super::{Engine, distinct_coefficients, for_each_stage};
 
 #[derive(Debug)]
 pub(crate) struct Columns<'a, 'b, T> {
@@ -53,7 +53,7 @@ pub(crate) fn values_of<'a, T>(values: &'a [T], trajectories: &Range<usize>) -> 
 const LANES: usize = 8;
 
 #[inline(always)]
-fn gathered<T: MachineFloat, V: Lanes<T>>(number: impl Fn(usize) -> T) -> V {
+fn gather_lanes<T: MachineFloat, V: Lanes<T>>(number: impl Fn(usize) -> T) -> V {
     let mut numbers = [T::zero(); LANES];
     for (place, own) in numbers[..V::WIDTH].iter_mut().enumerate() {
         *own = number(place);
@@ -62,7 +62,7 @@ fn gathered<T: MachineFloat, V: Lanes<T>>(number: impl Fn(usize) -> T) -> V {
 }
 
 #[inline(always)]
-fn scattered<T: MachineFloat, V: Lanes<T>>(register: V) -> [T; LANES] {
+fn scatter_lanes<T: MachineFloat, V: Lanes<T>>(register: V) -> [T; LANES] {
     let mut numbers = [T::zero(); LANES];
     register.store(&mut numbers, 0);
     numbers
@@ -93,7 +93,7 @@ impl Engine {
     ) -> Option<StepKind> {
         let each = |eps: &T| {
             let eps = *eps;
-            distinct(&composition).map(move |gamma| kind.stage_eps(gamma, eps))
+            distinct_coefficients(&composition).map(move |gamma| kind.stage_eps(gamma, eps))
         };
         self.kind_at(kind, eps.iter().flat_map(each))
     }
@@ -106,7 +106,7 @@ impl Engine {
     ) -> Option<StepKind> {
         let mut general = eps.map(|eps| self.steps().are_general(&eps));
         let is_general = general.next().unwrap_or(true);
-        let kind = StepKind { is_general, rounds_increments: Steps::rounds::<T>(is_general), ..kind };
+        let kind = StepKind { is_general, rounds_increments: StepForms::rounds::<T>(is_general), ..kind };
         general.all(|other| other == is_general).then_some(kind)
     }
 }
@@ -124,30 +124,32 @@ pub(super) fn advance<T, V>(
     V: Lanes<T>,
 {
     let trajectories = columns.first().map_or(0, |column| column.len());
-    let (stages, size) = (distinct(&composition).len(), step.registers());
+    let (stages, size) = (distinct_coefficients(&composition).len(), step.registers());
     with_scratch(local, |Scratch { registers, workspace, constants, given, state, .. }| {
         for first in (0..trajectories).step_by(V::WIDTH) {
             let last = trajectories.min(first + V::WIDTH) - 1;
             let gather = |values: &[T]| {
-                gathered(|place| if values.len() == 1 { values[0] } else { values[last.min(first + place)] })
+                gather_lanes(
+                    |place| if values.len() == 1 { values[0] } else { values[last.min(first + place)] },
+                )
             };
             [&mut *constants, given, state].into_iter().for_each(Vec::clear);
             state.extend(columns.iter().map(|column| gather(column)));
             constants.extend(parameters.iter().map(|values| gather(values)));
             constants.push(V::zero());
-            let eps = scattered::<T, V>(gather(eps));
-            for gamma in distinct(&composition) {
-                constants[parameters.len()] = gathered(|place| kind.stage_eps(gamma, eps[place]));
+            let eps = scatter_lanes::<T, V>(gather(eps));
+            for gamma in distinct_coefficients(&composition) {
+                constants[parameters.len()] = gather_lanes(|place| kind.stage_eps(gamma, eps[place]));
                 step.prepare(constants, registers, given);
             }
             registers.clear();
             given.chunks_exact(given.len() / stages).for_each(|given| step.open(given, registers));
             for _ in 0..steps {
-                in_turn(stages, |k| {
+                for_each_stage(stages, |k| {
                     let registers = &mut registers[k * size..][..size];
                     let stored = |x: V| {
-                        let x = scattered(x);
-                        gathered(|place| kind.stored(x[place]))
+                        let x = scatter_lanes(x);
+                        gather_lanes(|place| kind.stored(x[place]))
                     };
                     step.advance(
                         kind,
@@ -160,7 +162,7 @@ pub(super) fn advance<T, V>(
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {
-                let x = scattered(*x);
+                let x = scatter_lanes(*x);
                 column[first..=last].copy_from_slice(&x[..=last - first]);
             }
         }

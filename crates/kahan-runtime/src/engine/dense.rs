@@ -13,16 +13,16 @@ use smallvec::SmallVec;
 
 use crate::follow::is_finite;
 use crate::line::Line;
-use crate::machine::StepKind;
+use crate::machine_code::StepKind;
 
 use super::elimination::solve;
 use super::floats::MachineFloat;
 use super::scratch::{Scratch, with_scratch};
 use super::step::add_quotient;
-use super::{Engine, in_turn};
+use super::{Engine, for_each_stage};
 
 /// The number of steps between two checks of pivots.
-const TOGETHER: u64 = 8;
+const STEPS_PER_CHECK: u64 = 8;
 
 impl Engine {
     fn coefficients(&self) -> Option<&Line> {
@@ -78,7 +78,7 @@ pub(crate) fn advance<T: MachineFloat>(kind: StepKind, numbers: &mut [T], stages
     let (state, carry) = numbers.split_at_mut(dimension);
     with_scratch(T::single(), |scratch| {
         for _ in 0..steps {
-            in_turn(stages.len(), |k| {
+            for_each_stage(stages.len(), |k| {
                 if !guard.is_zero() || !has_stepped(kind, [state, carry], &stages[k], scratch) {
                     *guard = T::one() / T::zero();
                 }
@@ -144,8 +144,8 @@ pub(crate) fn advance_columns<T: MachineFloat>(
             state.extend(column[first..first + count].iter().copied());
             state.resize(state.len() + width - count, last);
         }
-        for made in (0..steps).step_by(TOGETHER as usize) {
-            let now = TOGETHER.min(steps - made);
+        for made in (0..steps).step_by(STEPS_PER_CHECK as usize) {
+            let now = STEPS_PER_CHECK.min(steps - made);
             guarded.clone_from(state);
             let [largest, growth] = [&mut *registers, &mut *given].map(|list| {
                 list.clear();
@@ -153,7 +153,7 @@ pub(crate) fn advance_columns<T: MachineFloat>(
                 &mut list[..]
             });
             for _ in 0..now {
-                in_turn(stages.len(), |k| {
+                for_each_stage(stages.len(), |k| {
                     let Some((&eps, packed)) = stages[k].split_last() else { return };
                     let velocity = &mut workspace.outcome;
                     velocity.clone_from(state);

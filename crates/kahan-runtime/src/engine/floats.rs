@@ -6,11 +6,11 @@ use kahan_core::__private::{InLanes, Lanes, RegisterPair};
 use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar};
 use kahan_dynamics::Precision;
 
-use crate::machine::{Codes, FloatCodes};
+use crate::machine_code::{Codes, FloatCodes};
 
 use super::couplings::{EliminationPattern, Factors};
 use super::scratch::{ScratchCell, ScratchKey};
-use super::{Engine, Object};
+use super::{Engine, MapObject};
 
 /// A float type of states: `f32`, `f64`, or [`Dd`].
 pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Send + Sync {
@@ -35,7 +35,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     #[doc(hidden)]
     fn has_evaluated(
         _engine: &Engine,
-        _object: Object,
+        _object: MapObject,
         _constants: &[Self],
         _state: &[Self],
         _out: &mut [Self],
@@ -108,7 +108,7 @@ macro_rules! implement_for_float {
 
             fn has_evaluated(
                 engine: &Engine,
-                object: Object,
+                object: MapObject,
                 constants: &[Self],
                 state: &[Self],
                 out: &mut [Self],

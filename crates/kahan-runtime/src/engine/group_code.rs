@@ -7,11 +7,11 @@ use std::sync::{Arc, OnceLock};
 
 use kahan_core::observe::{GROUP, Group};
 
-use crate::machine::{GroupKind, InstructionSet, Sweep, TangentKind};
+use crate::machine_code::{GroupKind, InstructionSet, Sweep, TangentKind};
 
-use super::coded::CodedStages;
+use super::coded::CompiledStages;
 use super::floats::MachineFloat;
-use super::{Engine, in_turn};
+use super::{Engine, for_each_stage};
 
 /// The code of a group's steps, compiled at first use; `Some(None)` if compilation fails.
 pub(crate) type GroupCodeCell<T> = OnceLock<Option<Arc<Sweep<T>>>>;
@@ -29,7 +29,7 @@ impl Engine {
     /// Returns code for the steps of a group of orbits; the memory of `workspace` is reused.
     pub(crate) fn group_code<T: MachineFloat>(
         &self,
-        stages: [&CodedStages<T>; GROUP],
+        stages: [&CompiledStages<T>; GROUP],
         set: Option<InstructionSet>,
         workspace: Vec<T>,
     ) -> Option<GroupCode<T>> {
@@ -47,7 +47,7 @@ impl Engine {
     /// stage is a step of the variational field.
     pub(crate) fn group_code_with_vectors<T: MachineFloat>(
         &self,
-        stages: [&CodedStages<T>; GROUP],
+        stages: [&CompiledStages<T>; GROUP],
         constants: Option<[&[T]; GROUP]>,
         (vectors, has_squares): (usize, bool),
         set: Option<InstructionSet>,
@@ -101,7 +101,7 @@ impl<T: MachineFloat> GroupCode<T> {
     pub(crate) fn step(&self, columns: &mut [Group<T>]) {
         let length = self.constants.len() / self.stages;
         let of_stage = |k: usize| &self.constants[k * length..][..length];
-        in_turn(self.stages, |k| self.code.run(columns, of_stage(k), 1));
+        for_each_stage(self.stages, |k| self.code.run(columns, of_stage(k), 1));
     }
 
     pub(crate) fn advance(&self, columns: &mut [Group<T>], steps: u64) {

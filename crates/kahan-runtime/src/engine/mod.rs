@@ -25,13 +25,13 @@ use kahan_algebra::variational::Sensitivity;
 use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 
 use crate::line::Line;
-use crate::machine::{Codes, StepKind};
+use crate::machine_code::{Codes, StepKind};
 
 pub(crate) use elimination::determinant;
 use elimination::{has_negative_determinant, solve};
-use step::Steps;
+use step::StepForms;
 
-pub(crate) use coded::CodedStages;
+pub(crate) use coded::CompiledStages;
 pub(crate) use columns::Columns;
 pub(crate) use columns::values_of;
 pub(crate) use couplings::{EliminationPattern, Factors};
@@ -41,11 +41,11 @@ pub(crate) use group_code::GroupCode;
 use scratch::Workspace;
 pub(crate) use scratch::{Scratch, with_scratch};
 pub(crate) use step::{Step, into_matrix};
-pub(crate) use transposed::Transposed;
+pub(crate) use transposed::TransposedSolver;
 
 /// A function of one state, or of two states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Object {
+pub enum MapObject {
     Field,
     /// The Jacobian f′(x), row by row.
     FieldJacobian,
@@ -78,26 +78,26 @@ pub enum Object {
     Tangent,
 }
 
-impl Object {
+impl MapObject {
     /// Returns the object's index within a field, and the plan of an object that has one.
     pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
-            Object::Field => (0, Some(derived.at_eps_zero().field())),
-            Object::FieldJacobian => (1, Some(derived.at_eps_zero().field_jacobian())),
-            Object::Integrals => (2, Some(&derived.integrals)),
-            Object::Density => (3, derived.density.as_ref()),
-            Object::Matrix => (4, None),
-            Object::Jacobian => (5, None),
-            Object::Bilinear => (6, Some(derived.at_eps_zero().bilinear())),
-            Object::Polarized => (7, Some(derived.at_eps_zero().polarized())),
-            Object::DetMatrix => (8, derived.det_matrix.as_ref()),
-            Object::RationalMap => (9, derived.rational_map.as_ref()),
-            Object::ReducedMap => (10, derived.reduced_map.as_ref()),
-            Object::FieldAtEps => (11, Some(derived.field())),
-            Object::FieldJacobianAtEps => (12, Some(derived.field_jacobian())),
-            Object::PolarizedAtEps => (13, Some(derived.polarized())),
-            Object::Tangent => (14, derived.tangent_map().map(|(_, plan)| plan)),
-            Object::Bracket(index) => (15 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
+            MapObject::Field => (0, Some(derived.at_eps_zero().field())),
+            MapObject::FieldJacobian => (1, Some(derived.at_eps_zero().field_jacobian())),
+            MapObject::Integrals => (2, Some(&derived.integrals)),
+            MapObject::Density => (3, derived.density.as_ref()),
+            MapObject::Matrix => (4, None),
+            MapObject::Jacobian => (5, None),
+            MapObject::Bilinear => (6, Some(derived.at_eps_zero().bilinear())),
+            MapObject::Polarized => (7, Some(derived.at_eps_zero().polarized())),
+            MapObject::DetMatrix => (8, derived.det_matrix.as_ref()),
+            MapObject::RationalMap => (9, derived.rational_map.as_ref()),
+            MapObject::ReducedMap => (10, derived.reduced_map.as_ref()),
+            MapObject::FieldAtEps => (11, Some(derived.field())),
+            MapObject::FieldJacobianAtEps => (12, Some(derived.field_jacobian())),
+            MapObject::PolarizedAtEps => (13, Some(derived.polarized())),
+            MapObject::Tangent => (14, derived.tangent_map().map(|(_, plan)| plan)),
+            MapObject::Bracket(index) => (15 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
         }
     }
 }
@@ -106,7 +106,7 @@ impl Object {
 #[derive(Debug)]
 pub struct Engine {
     pub(crate) derived: Derived,
-    steps: OnceLock<Steps>,
+    steps: OnceLock<StepForms>,
     lines: Vec<OnceLock<Option<Line>>>,
     /// A straight-line program for each integral.
     single_integrals: OnceLock<Vec<Line>>,
@@ -125,13 +125,15 @@ pub(crate) struct Stage<T> {
 }
 
 /// Iterates over the coefficients γ₁, …, γₘ of a palindromic composition, up to the middle one.
-fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static Constant<'static>> {
+fn distinct_coefficients(
+    composition: &Composition,
+) -> impl ExactSizeIterator<Item = &'static Constant<'static>> {
     composition.coefficients().take(composition.stages() / 2 + 1)
 }
 
 /// Calls `run` for each stage of a palindromic composition, in order.
 #[inline(always)]
-pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
+pub(crate) fn for_each_stage(distinct: usize, mut run: impl FnMut(usize)) {
     let last = 2 * distinct - 2;
     (0..=last).for_each(|k| run(k.min(last - k)));
 }
@@ -139,7 +141,7 @@ pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
 impl Engine {
     pub(crate) fn new(system: &System) -> Self {
         let derived = derive(system);
-        let (objects, _) = Object::Bracket(derived.brackets.len()).entry(&derived);
+        let (objects, _) = MapObject::Bracket(derived.brackets.len()).entry(&derived);
         Engine {
             lines: (0..objects).map(|_| OnceLock::new()).collect(),
             codes: Codes::default(),
@@ -166,25 +168,25 @@ impl Engine {
         engine
     }
 
-    pub(crate) fn at_eps(&self, object: Object) -> Object {
+    pub(crate) fn at_eps(&self, object: MapObject) -> MapObject {
         match object {
             _ if !self.derived.system.field.depends_on_eps() => object,
-            Object::Field => Object::FieldAtEps,
-            Object::FieldJacobian => Object::FieldJacobianAtEps,
-            Object::Polarized => Object::PolarizedAtEps,
+            MapObject::Field => MapObject::FieldAtEps,
+            MapObject::FieldJacobian => MapObject::FieldJacobianAtEps,
+            MapObject::Polarized => MapObject::PolarizedAtEps,
             _ => object,
         }
     }
 
-    pub(crate) fn steps(&self) -> &Steps {
-        self.steps.get_or_init(|| Steps::of(&self.derived))
+    pub(crate) fn steps(&self) -> &StepForms {
+        self.steps.get_or_init(|| StepForms::of(&self.derived))
     }
 
     /// Returns the straight-line program of an object that has a plan.
-    pub(crate) fn line(&self, object: Object) -> Option<&Line> {
+    pub(crate) fn line(&self, object: MapObject) -> Option<&Line> {
         let (place, plan) = object.entry(&self.derived);
         let symbols = || match object {
-            Object::Tangent => Some(self.derived.tangent_map()?.0),
+            MapObject::Tangent => Some(self.derived.tangent_map()?.0),
             _ => Some(&self.derived.system.field.symbols),
         };
         let line = || Some(Line::of(plan?, symbols()?));
@@ -195,13 +197,13 @@ impl Engine {
         self.lines.len()
     }
 
-    pub(crate) fn known_line(&self, object: Object) -> &Line {
+    pub(crate) fn known_line(&self, object: MapObject) -> &Line {
         self.line(object).unwrap_or_else(|| unreachable!("every field has it"))
     }
 
     pub(crate) fn single_integrals(&self) -> &[Line] {
         let Derived { integrals, integral_names, system, .. } = &self.derived;
-        let line = |k| Line::with_poles(&integrals.part(k..k + 1), &system.field.symbols);
+        let line = |k| Line::with_checked_divisions(&integrals.part(k..k + 1), &system.field.symbols);
         self.single_integrals.get_or_init(|| (0..integral_names.len()).map(line).collect())
     }
 
@@ -262,8 +264,9 @@ impl Engine {
         }
         registers.resize(stages.len() * size, V::zero());
         for _ in 0..steps {
-            in_turn(stages.len(), |k| {
-                let kind = StepKind { rounds_increments: Steps::rounds::<V>(stages[k].is_general), ..kind };
+            for_each_stage(stages.len(), |k| {
+                let kind =
+                    StepKind { rounds_increments: StepForms::rounds::<V>(stages[k].is_general), ..kind };
                 advance(form(&stages[k]), kind, &mut registers[k * size..][..size], workspace);
             });
         }
@@ -273,7 +276,7 @@ impl Engine {
     /// object, `out` stays unchanged.
     pub(crate) fn evaluate<T: RuntimeFloat>(
         &self,
-        object: Object,
+        object: MapObject,
         constants: &[T],
         state: &[T],
         out: &mut [T],
@@ -282,9 +285,9 @@ impl Engine {
             return;
         }
         match object {
-            Object::Jacobian => self.jacobian(constants, state, out),
-            Object::Matrix => {
-                self.evaluate(self.at_eps(Object::FieldJacobian), constants, state, out);
+            MapObject::Jacobian => self.jacobian(constants, state, out),
+            MapObject::Matrix => {
+                self.evaluate(self.at_eps(MapObject::FieldJacobian), constants, state, out);
                 into_matrix(out, split(constants).1, state.len());
             }
             _ => with_scratch(T::single(), |scratch| {
@@ -307,10 +310,10 @@ impl Engine {
             let kind = StepKind::of(T::PRECISION, false);
             self.advance(kind, &self.stages(&[constants.to_vec()]), [&mut next, &mut []], 1);
             let behind: Vec<T> = parameters.iter().copied().chain([-eps]).collect();
-            self.evaluate(Object::Matrix, &behind, &next, out);
+            self.evaluate(MapObject::Matrix, &behind, &next, out);
             if !step.solves_columns(constants, state, out) {
                 let mut matrix = vec![T::zero(); out.len()];
-                self.evaluate(Object::Matrix, constants, state, &mut matrix);
+                self.evaluate(MapObject::Matrix, constants, state, &mut matrix);
                 solve(&mut matrix, out, state.len());
             }
         }
@@ -320,7 +323,7 @@ impl Engine {
         let along_couplings = self.steps().form(false).has_negative_determinant(constants, state);
         along_couplings.unwrap_or_else(|| {
             let mut matrix = vec![0.0; state.len().pow(2)];
-            self.evaluate(Object::Matrix, constants, state, &mut matrix);
+            self.evaluate(MapObject::Matrix, constants, state, &mut matrix);
             has_negative_determinant(&mut matrix, state.len())
         })
     }
@@ -369,7 +372,7 @@ pub(crate) fn stage_constants<T: RuntimeFloat>(
 ) -> Vec<Vec<T>> {
     let (parameters, eps) = split(constants);
     let stage = |gamma| parameters.iter().copied().chain([kind.stage_eps(gamma, eps)]).collect();
-    distinct(&composition).map(stage).collect()
+    distinct_coefficients(&composition).map(stage).collect()
 }
 
 pub(crate) fn jacobian_by_duals<V: Scalar + Copy>(

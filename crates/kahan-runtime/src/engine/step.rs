@@ -9,7 +9,7 @@ use kahan_core::Scalar;
 use kahan_dynamics::Precision;
 
 use crate::line::{Line, Results, has_value};
-use crate::machine::StepKind;
+use crate::machine_code::StepKind;
 
 use super::couplings::{EliminationPattern, Factors};
 use super::elimination::solve;
@@ -17,22 +17,22 @@ use super::floats::RuntimeFloat;
 use super::scratch::Workspace;
 
 #[derive(Debug)]
-pub(crate) struct Steps {
+pub(crate) struct StepForms {
     first: Step,
     /// A second formula of the step, for values of ε at which dividing by ε loses accuracy.
     general: Option<Step>,
     divides_by_eps: bool,
 }
 
-impl Steps {
+impl StepForms {
     pub(super) fn of(derived: &Derived) -> Self {
         match derived.step() {
-            Some(plan) => Steps {
+            Some(plan) => StepForms {
                 first: Step::straight(plan, derived),
                 general: plan.general.as_deref().map(|general| Step::straight(general, derived)),
                 divides_by_eps: plan.has_inverse_step,
             },
-            None => Steps { first: Step::by_elimination(derived), general: None, divides_by_eps: false },
+            None => StepForms { first: Step::by_elimination(derived), general: None, divides_by_eps: false },
         }
     }
 

@@ -8,7 +8,7 @@ use super::elimination::solve;
 use super::floats::RuntimeFloat;
 
 #[derive(Debug)]
-pub(crate) struct Transposed<'a, T> {
+pub(crate) struct TransposedSolver<'a, T> {
     variables: usize,
     /// The pattern of sparse elimination; `None` for fields that are eliminated densely.
     tables: Option<&'a EliminationPattern>,
@@ -18,18 +18,18 @@ pub(crate) struct Transposed<'a, T> {
 }
 
 impl Engine {
-    pub(crate) fn transposed<T>(&self) -> Transposed<'_, T> {
+    pub(crate) fn transposed<T>(&self) -> TransposedSolver<'_, T> {
         let variables = self.dimension();
         let tables = self.steps().form(false).couplings().map(|(_, tables)| tables);
         let entries = match tables {
             Some(tables) => tables.entries(),
             None => (0..variables).flat_map(|i| (0..variables).map(move |j| (i, j))).collect(),
         };
-        Transposed { variables, tables, entries, factors: Factors::default(), matrix: Vec::new() }
+        TransposedSolver { variables, tables, entries, factors: Factors::default(), matrix: Vec::new() }
     }
 }
 
-impl<T: RuntimeFloat> Transposed<'_, T> {
+impl<T: RuntimeFloat> TransposedSolver<'_, T> {
     pub(crate) fn entries(&self) -> &[(usize, usize)] {
         &self.entries
     }

@@ -7,8 +7,8 @@
 //!
 //! # Other maps
 //!
-//! If [`PATIENCE`] contents in a row are negligible, the search for contents stops. The search
-//! resumes when the common factors found for heights reach one per cent of the digits.
+//! If [`MAX_NEGLIGIBLE_CONTENTS`] contents in a row are negligible, the search for contents stops.
+//! The search resumes when the common factors found for heights reach one per cent of the digits.
 
 use std::collections::VecDeque;
 
@@ -22,7 +22,7 @@ use super::reduction::in_halves;
 /// A content with less than 1/NEGLIGIBLE of the digits is negligible.
 const NEGLIGIBLE: usize = 100;
 /// The number of successive negligible contents after which the search for contents stops.
-const PATIENCE: u32 = 3;
+const MAX_NEGLIGIBLE_CONTENTS: u32 = 3;
 /// The number of bits from which predicting a content pays.
 const WORTH_PREDICTING: usize = 1 << 13;
 const WORTH_A_THREAD: usize = 1 << 17;
@@ -60,7 +60,7 @@ impl ContentPredictor {
     pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> PrimitivePoint {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;
-        if self.misses >= PATIENCE {
+        if self.misses >= MAX_NEGLIGIBLE_CONTENTS {
             self.behind.clear();
             return PrimitivePoint { point, weight_parts };
         }

@@ -11,19 +11,19 @@ use super::integers::{bits, short_gcd};
 use crate::threads;
 
 /// The number of bits of W from which gcds of several coordinates use two threads.
-const LONG: usize = 1 << 16;
+const THREADED_GCD_BITS: usize = 1 << 16;
 /// The number of bits of W from which large gcds are predicted.
 const WORTH_GUESSING: usize = 1 << 10;
 
-/// A common factor is large if it has at least 1/MUCH of the digits of W.
-const MUCH: usize = 8;
+/// A common factor is large if it has at least 1/LARGE_FACTOR_FRACTION of the digits of W.
+const LARGE_FACTOR_FRACTION: usize = 8;
 
 /// Returns gcd(Xᵢ, W) for each i; W must not be 0.
 ///
 /// `parts` are factors whose product is W, or empty. `before` are the gcds of the previous point,
 /// which predict large gcds, or empty.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
-    let shares_much = |factor: &UBig| MUCH * factor.bit_len() >= weight.bit_len();
+    let shares_much = |factor: &UBig| LARGE_FACTOR_FRACTION * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {
         let others: Vec<IBig> =
             x.iter().zip(before).filter(|(_, factor)| !shares_much(factor)).map(|(x, _)| x.clone()).collect();
@@ -31,7 +31,7 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
         let among = |factor| if shares_much(factor) { weight } else { &shared };
         return x.iter().zip(before).map(|(x, factor)| factor_of(x, weight, among(factor))).collect();
     }
-    let is_long = weight.bit_len() >= LONG && threads::available() > 1;
+    let is_long = weight.bit_len() >= THREADED_GCD_BITS && threads::available() > 1;
     if parts.len() > 1 && is_long {
         // For each factor B of W, take gcd(B, ∏Xᵢ). The product of these gcds divides W, and
         // gcd(Xᵢ, W) divides the product.

@@ -17,7 +17,7 @@ use kahan_algebra::poly::Polynomial;
 use super::integers::{bits, short_gcd, values};
 
 /// The number of bits of W from which splitting pays.
-const LONG: usize = 1 << 12;
+const LEAST_SPLIT_BITS: usize = 1 << 12;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Splits {
@@ -43,7 +43,7 @@ impl Splits {
 
     /// Returns the image of a point, divided by a known factor; `None` if no coordinate is short.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
-        let size = point.last().map(bits).filter(|size| *size >= LONG)?;
+        let size = point.last().map(bits).filter(|size| *size >= LEAST_SPLIT_BITS)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();
         let shared = factors.iter().zip(&is_short).filter(|(_, short)| **short).map(|(factor, _)| factor);
         let g = shared.cloned().reduce(Gcd::gcd).filter(|g| 2 * g.bit_len() >= size)?;

@@ -14,7 +14,7 @@ use kahan_core::{ExtendScalars, KahanMap, Pivot, QuadraticField, Scalar, Singula
 
 use smallvec::SmallVec;
 
-use crate::engine::Object;
+use crate::engine::MapObject;
 use crate::line::Line;
 
 use super::{Interpreted, InterpretedStep};
@@ -31,18 +31,18 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         })
     }
 
-    fn vector_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+    fn vector_of(&self, object: MapObject, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         self.run(self.engine.known_line(object), x.as_slice(), eps, |results| vector(results.iter()))
     }
 
-    fn slopes_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
+    fn slopes_of(&self, object: MapObject, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
         let own = self.variables().len();
         self.run(self.engine.known_line(object), x.as_slice(), eps, |entries| {
             SMatrix::from_fn(|i, j| if i.max(j) < own { entries.get(i * own + j) } else { T::zero() })
         })
     }
 
-    fn vector_of_two(&self, object: Object, points: [&SVector<T, N>; 2], eps: &T) -> SVector<T, N> {
+    fn vector_of_two(&self, object: MapObject, points: [&SVector<T, N>; 2], eps: &T) -> SVector<T, N> {
         let own = self.variables().len();
         let mut entries: SmallVec<[T; 16]> = SmallVec::new();
         points.into_iter().for_each(|point| entries.extend(point.iter().take(own).cloned()));
@@ -52,19 +52,19 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 
 impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        self.vector_of(Object::Field, x, &T::zero())
+        self.vector_of(MapObject::Field, x, &T::zero())
     }
 
     fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        self.slopes_of(Object::FieldJacobian, x, &T::zero())
+        self.slopes_of(MapObject::FieldJacobian, x, &T::zero())
     }
 
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        self.vector_of_two(Object::Bilinear, [x, y], &T::zero())
+        self.vector_of_two(MapObject::Bilinear, [x, y], &T::zero())
     }
 
     fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        self.vector_of_two(Object::Polarized, [x, y], &T::zero())
+        self.vector_of_two(MapObject::Polarized, [x, y], &T::zero())
     }
 }
 
@@ -80,15 +80,15 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     }
 
     fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
-        self.vector_of(self.engine.at_eps(Object::Field), x, eps)
+        self.vector_of(self.engine.at_eps(MapObject::Field), x, eps)
     }
 
     fn field_jacobian_at(&self, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
-        self.slopes_of(self.engine.at_eps(Object::FieldJacobian), x, eps)
+        self.slopes_of(self.engine.at_eps(MapObject::FieldJacobian), x, eps)
     }
 
     fn polarized_at(&self, x: &SVector<T, N>, y: &SVector<T, N>, eps: &T) -> SVector<T, N> {
-        self.vector_of_two(self.engine.at_eps(Object::Polarized), [x, y], eps)
+        self.vector_of_two(self.engine.at_eps(MapObject::Polarized), [x, y], eps)
     }
 
     fn try_prepared(
@@ -120,21 +120,21 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     }
 
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
-        match self.engine.line(Object::DetMatrix) {
+        match self.engine.line(MapObject::DetMatrix) {
             Some(line) => self.run(line, x.as_slice(), &eps, |results| results.get(0)),
             None => determinant(self.matrix(x, eps)),
         }
     }
 
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match self.engine.line(Object::RationalMap) {
+        match self.engine.line(MapObject::RationalMap) {
             Some(line) => self.fraction(line, x, &eps),
             None => determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps)),
         }
     }
 
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match self.engine.line(Object::ReducedMap) {
+        match self.engine.line(MapObject::ReducedMap) {
             Some(line) => self.fraction(line, x, &eps),
             None => self.rational_map(x, eps),
         }

@@ -18,7 +18,7 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::{ExtendScalars, Scalar, StepCost};
 use smallvec::SmallVec;
 
-use crate::engine::{EliminationPattern, Engine, Factors, Object};
+use crate::engine::{EliminationPattern, Engine, Factors, MapObject};
 use crate::line::{Line, Results, has_value};
 
 pub use crate::literal::round;
@@ -120,7 +120,8 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     /// Returns x̃ − x by sparse elimination; `None` for a dense field, or if a pivot is small.
     fn along_couplings(&self, state: &[T], eps: &T) -> Option<Vec<T>> {
         let (tables, mut factors) = self.factors(state, eps)?;
-        let mut velocity = self.list(self.engine.known_line(self.engine.at_eps(Object::Field)), state, eps);
+        let mut velocity =
+            self.list(self.engine.known_line(self.engine.at_eps(MapObject::Field)), state, eps);
         tables.solve(&mut factors, &mut velocity, 1, 0);
         let time_step = eps.clone() + eps.clone();
         Some(velocity.into_iter().map(|entry| time_step.clone() * entry).collect())

@@ -9,12 +9,12 @@ use kahan_algebra::rational::Rational;
 use kahan_core::__private::LatticeMap;
 use kahan_core::{LatticeAt, Level, Step, Stopped, Workspace};
 
-use crate::at::fitting;
+use crate::at::expect_fit;
 use crate::dimension::Argument;
 use crate::parameters::in_order;
 use crate::{DimensionError, ParameterError};
 
-use super::read::RuntimeFamily;
+use super::runtime_family::RuntimeFamily;
 use super::{LatticeCode, LatticeError};
 
 /// The map of a family at a fixed ε, half the time step, for a fixed number of sites.
@@ -147,13 +147,13 @@ impl Step for ChainAt {
 
     #[track_caller]
     fn advance(&self, x: &mut [f64], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
-        fitting(self.check(x));
+        expect_fit(self.check(x));
         Step::advance(&self.at, x, steps, workspace)
     }
 
     #[track_caller]
     fn part(&self, eps: &f64, x: &mut [f64], workspace: &mut Workspace) -> Result<(), Stopped> {
-        fitting(self.check(x));
+        expect_fit(self.check(x));
         self.at.part(eps, x, workspace)
     }
 }

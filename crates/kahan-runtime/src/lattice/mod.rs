@@ -7,7 +7,7 @@
 mod at;
 mod error;
 mod program;
-mod read;
+mod runtime_family;
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ use kahan_core::eps_from_dt;
 use crate::line::Line;
 use crate::literal::Literal;
 
-use program::{Numbering, Program};
+use program::{OperandNumbering, Program};
 
 pub use at::ChainAt;
 pub use error::LatticeError;
@@ -53,7 +53,7 @@ impl LatticeCode {
     fn of(family: &Family) -> Self {
         let lines = family.lines();
         let (block, stencil, parameters) = (family.block(), family.stencil(), family.site_parameters.len());
-        let numbering = Numbering {
+        let numbering = OperandNumbering {
             symbols: &lines.symbols,
             block,
             stencil,
@@ -82,7 +82,7 @@ impl LatticeCode {
             Boundary::Open => core::Boundary::Open,
         };
         LatticeCode {
-            constants: Line::with_poles(&lines.constants, &lines.given),
+            constants: Line::with_checked_divisions(&lines.constants, &lines.given),
             family: family.clone(),
             boundary,
             literals,

@@ -13,7 +13,7 @@ use crate::literal::Literal;
 
 /// The number of sites for which each decoded instruction is run, a multiple of the lanes of all
 /// instruction sets.
-const ROOM: usize = 128;
+const SITES_PER_INSTRUCTION: usize = 128;
 
 #[derive(Debug)]
 pub(super) struct Program {
@@ -67,7 +67,7 @@ enum Operand {
     Register(usize),
 }
 
-pub(super) struct Numbering<'a> {
+pub(super) struct OperandNumbering<'a> {
     pub(super) symbols: &'a Symbols,
     pub(super) block: usize,
     pub(super) stencil: usize,
@@ -82,7 +82,7 @@ impl Program {
         plan: &Plan,
         places: impl IntoIterator<Item = usize>,
         results: usize,
-        numbering: &Numbering<'_>,
+        numbering: &OperandNumbering<'_>,
         literals: &mut Vec<Literal>,
     ) -> Self {
         let mut last_use = vec![0; plan.operations.len()];
@@ -154,21 +154,22 @@ impl Program {
         self.instructions.push(Instruction { kind, to, operands, places });
     }
 
-    /// Returns the position of an operand. Registers come first and constants last, with [`ROOM`]
-    /// numbers each. Between them come inputs, one array or parameter after the other.
+    /// Returns the position of an operand. Registers come first and constants last, with
+    /// [`SITES_PER_INSTRUCTION`] numbers each. Between them come inputs, one array or parameter
+    /// after the other.
     fn place(&self, operand: Operand) -> OperandOffset {
         let (numbers, registers) = match operand {
-            Operand::Register(k) => (k * ROOM, 0),
+            Operand::Register(k) => (k * SITES_PER_INSTRUCTION, 0),
             Operand::State { site, array } => (self.array(array), site),
             Operand::Parameter { site, index } => (self.array(self.block + index), site),
-            Operand::Constant(k) => (self.array(self.block + self.parameters) + k * ROOM, 0),
+            Operand::Constant(k) => (self.array(self.block + self.parameters) + k * SITES_PER_INSTRUCTION, 0),
         };
         OperandOffset { numbers, registers }
     }
 
     /// Returns the offset of an array; for an index from `block` on, that of a site parameter.
     fn array(&self, index: usize) -> usize {
-        self.registers * ROOM + index * (ROOM + 2 * self.reach * f64::MOST)
+        self.registers * SITES_PER_INSTRUCTION + index * (SITES_PER_INSTRUCTION + 2 * self.reach * f64::MOST)
     }
 
     /// Returns the size of the memory that holds several sites, in registers of the widest lanes.
@@ -211,20 +212,20 @@ impl Program {
         if sites.site >= sites.computed.end {
             self.compute(sites, L::WIDTH);
         }
-        let results = &sites.registers[..(B + B * SITES * B) * ROOM];
+        let results = &sites.registers[..(B + B * SITES * B) * SITES_PER_INSTRUCTION];
         let mut place = (sites.site - sites.computed.start) * L::WIDTH;
-        assert!(place <= ROOM - L::WIDTH, "sites are asked for in order");
+        assert!(place <= SITES_PER_INSTRUCTION - L::WIDTH, "sites are asked for in order");
         sites.site += 1;
         let mut line = SiteLine { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
         for b in 0..B {
             line.f[b] = L::load(results, place);
-            place += ROOM;
+            place += SITES_PER_INSTRUCTION;
         }
         for b in 0..B {
             for k in 0..SITES {
                 for e in 0..B {
                     line.a[b][k][e] = L::load(results, place);
-                    place += ROOM;
+                    place += SITES_PER_INSTRUCTION;
                 }
             }
         }
@@ -236,18 +237,18 @@ impl Program {
         let numbers = &mut *gathered.registers;
         if gathered.computed.is_empty() {
             for (k, constant) in constants.iter().enumerate() {
-                numbers[self.place(Operand::Constant(k)).numbers..][..ROOM].fill(*constant);
+                numbers[self.place(Operand::Constant(k)).numbers..][..SITES_PER_INSTRUCTION].fill(*constant);
             }
             // Results that no instruction writes are zero for every state.
-            numbers[..self.results * ROOM].fill(0.0);
+            numbers[..self.results * SITES_PER_INSTRUCTION].fill(0.0);
         }
-        let sites = ROOM / width;
+        let sites = SITES_PER_INSTRUCTION / width;
         gathered.computed = site..site + sites;
-        f64::run(Run { program: self, x, c, numbers, width, site, sites }, level);
+        f64::run(RunOverLanes { program: self, x, c, numbers, width, site, sites }, level);
     }
 }
 
-impl Numbering<'_> {
+impl OperandNumbering<'_> {
     /// Returns the operand of an input.
     fn operand(&self, symbol: Symbol) -> Operand {
         let states = self.stencil * self.block;
@@ -262,7 +263,7 @@ impl Numbering<'_> {
     }
 }
 
-struct Run<'a> {
+struct RunOverLanes<'a> {
     program: &'a Program,
     x: &'a [f64],
     c: &'a [f64],
@@ -272,13 +273,13 @@ struct Run<'a> {
     sites: usize,
 }
 
-impl OverLanes<f64> for Run<'_> {
+impl OverLanes<f64> for RunOverLanes<'_> {
     type Output = ();
     const IS_SMALL: bool = false;
 
     #[inline(always)]
     fn run<L: Lanes<f64>>(self) {
-        let Run { program, width, site, sites, .. } = self;
+        let RunOverLanes { program, width, site, sites, .. } = self;
         for (gathered, count, array) in
             [(self.x, program.block, 0), (self.c, program.parameters, program.block)]
         {
@@ -297,19 +298,19 @@ impl OverLanes<f64> for Run<'_> {
             }
         }
         for &Instruction { kind, to, places, .. } in &program.instructions {
-            let (before, rest) = self.numbers.split_at_mut(to * ROOM);
-            let (result, after) = rest.split_at_mut(ROOM);
+            let (before, rest) = self.numbers.split_at_mut(to * SITES_PER_INSTRUCTION);
+            let (result, after) = rest.split_at_mut(SITES_PER_INSTRUCTION);
             // A macro is used, because closures may be compiled without the level's instructions.
             macro_rules! each {
                 (|$($operand:ident: $k:literal),*| $value:expr) => {{
                     $(
                         let place = places[$k].numbers + places[$k].registers * width;
-                        let $operand = match place.checked_sub(before.len() + ROOM) {
-                            Some(place) => &after[place..][..ROOM],
-                            None => &before[place..][..ROOM],
+                        let $operand = match place.checked_sub(before.len() + SITES_PER_INSTRUCTION) {
+                            Some(place) => &after[place..][..SITES_PER_INSTRUCTION],
+                            None => &before[place..][..SITES_PER_INSTRUCTION],
                         };
                     )*
-                    for k in 0..ROOM / L::WIDTH {
+                    for k in 0..SITES_PER_INSTRUCTION / L::WIDTH {
                         $(let $operand = L::load($operand, k * L::WIDTH);)*
                         $value.store(result, k * L::WIDTH);
                     }

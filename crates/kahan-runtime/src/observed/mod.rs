@@ -40,7 +40,7 @@ impl ObservationRequest<'_> {
     /// The bound of [`Observable::Escape`] if [`escape`](Self::escape) is `None`.
     pub const USUAL_SIZE: f64 = 1e6;
 
-    fn bound(&self) -> f64 {
+    fn escape_bound(&self) -> f64 {
         self.escape.unwrap_or(f64::MAX)
     }
 }

@@ -20,7 +20,7 @@ use kahan_core::{EmbedScalar, Step};
 use super::ObservationRequest;
 use super::carried::has_carried;
 use super::observable::{ColumnScope, ObservableInfo, ObservedValue};
-use super::tangent::Carrier;
+use super::tangent::TangentCarrier;
 use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
@@ -66,22 +66,22 @@ macro_rules! observables {
 
         /// The observer of one observable. The type `M` finds the extremes for rotations; `B`
         /// detects escapes.
-        enum Running<'a, T: MachineFloat + EmbedScalar, M, B> {
+        enum RunningObserver<'a, T: MachineFloat + EmbedScalar, M, B> {
             $($name($($module::Own<'a, T>)? $($type)?),)*
         }
 
         fn running<'a, T: MachineFloat + EmbedScalar + PartialOrd>(
             observable: Observable,
             $at: &'a MapAt<T>,
-            $carrier: &Carrier<'a, T>,
+            $carrier: &TangentCarrier<'a, T>,
             $asked: &ObservationRequest<'_>,
-        ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
+        ) -> RunningObserver<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
             match observable {
-                $(Observable::$name => Running::$name($($module::observer($at, $asked))? $($new)?),)*
+                $(Observable::$name => RunningObserver::$name($($module::observer($at, $asked))? $($new)?),)*
             }
         }
 
-        impl<T, M, B> Running<'_, T, M, B>
+        impl<T, M, B> RunningObserver<'_, T, M, B>
         where
             T: MachineFloat + EmbedScalar + PartialOrd,
             M: Observer<T, Report = Middles<T>>,
@@ -89,16 +89,16 @@ macro_rules! observables {
         {
             fn observe(&mut self, step: u64, x: &[T]) {
                 match self {
-                    $(Running::$name(one) => one.observe(step, x),)*
+                    $(RunningObserver::$name(one) => one.observe(step, x),)*
                 }
             }
 
             /// Shows a burst of consecutive points to the observers of one observable.
             fn observe_burst<P: Grouped<T>>(mut own: [Option<&mut Self>; GROUP], burst: &Burst<'_, P>) {
                 match &own[0] {
-                    $(Some(Running::$name(_)) => {
+                    $(Some(RunningObserver::$name(_)) => {
                         let mut own = own.each_mut().map(|running| match running {
-                            Some(Running::$name(one)) => Some(one),
+                            Some(RunningObserver::$name(one)) => Some(one),
                             _ => None,
                         });
                         Observer::observe_burst(&mut own, burst);
@@ -109,13 +109,13 @@ macro_rules! observables {
 
             fn resumed(&mut self) -> Option<&mut dyn SparseObserver<T>> {
                 match self {
-                    $(Running::$name(one) => one.resumed(),)*
+                    $(RunningObserver::$name(one) => one.resumed(),)*
                 }
             }
 
             fn report(self, $middles: &mut Option<Middles<T>>) -> ObservedValue {
                 match self {
-                    $(Running::$name(own) => {
+                    $(RunningObserver::$name(own) => {
                         $($module::seen(own))?
                         $({
                             let $one = own;
@@ -132,13 +132,13 @@ observables! {
     at, carrier, asked, middles:
     Last, "The last point.", in last;
     Lyapunov, "The largest Lyapunov exponent, per unit of time.",
-        Lyapunov<Carrier<'a, T>> = Lyapunov::new(carrier.clone()), one => ObservedValue::Exponent(one.report()),
+        Lyapunov<TangentCarrier<'a, T>> = Lyapunov::new(carrier.clone()), one => ObservedValue::Exponent(one.report()),
         ObservableInfo::new("lyapunov", ColumnScope::Orbit, &[
             ("lyapunov", "largest Lyapunov exponent, per unit of time"),
             ("lyapunov_error", "how far the exponent has converged, per unit of time"),
         ]).of_tangent_vectors().usual().colour("largest exponent per unit of t");
     Spectrum, "All Lyapunov exponents, or the K largest, per unit of time.",
-        Spectrum<Carrier<'a, T>> = {
+        Spectrum<TangentCarrier<'a, T>> = {
             let exponents = asked.exponents.min(Step::dimension(carrier));
             Spectrum::new(carrier.clone(), exponents, asked.renormalize)
         },
@@ -147,20 +147,20 @@ observables! {
             ("spectrum_{}", "Lyapunov exponent, the largest first, per unit of time"),
         ]).of_tangent_vectors().usual();
     LogDet, "The mean of log |det ∂x̃/∂x| per unit of time, the sum of all exponents.",
-        MeanLogDet<Carrier<'a, T>> = MeanLogDet::new(carrier.clone()), one => ObservedValue::Number(one.report()),
+        MeanLogDet<TangentCarrier<'a, T>> = MeanLogDet::new(carrier.clone()), one => ObservedValue::Number(one.report()),
         ObservableInfo::new("log_det", ColumnScope::Orbit, &[
             ("mean_log_det", "sum of all Lyapunov exponents, per unit of time"),
         ]).of_tangent_vectors().usual().colour("sum of all exponents per unit of t");
     Fli, "FLI, the fast Lyapunov indicator.",
-        Fli<Carrier<'a, T>> = Fli::new(carrier.clone()), one => ObservedValue::Number(one.report()),
+        Fli<TangentCarrier<'a, T>> = Fli::new(carrier.clone()), one => ObservedValue::Number(one.report()),
         ObservableInfo::new("fli", ColumnScope::Orbit, &[("fli", "fast Lyapunov indicator")])
             .of_tangent_vectors().usual().colour("FLI");
     Megno, "The mean of MEGNO, the mean exponential growth factor of nearby orbits.",
-        Megno<Carrier<'a, T>> = Megno::new(carrier.clone()), one => ObservedValue::Number(one.report().mean),
+        Megno<TangentCarrier<'a, T>> = Megno::new(carrier.clone()), one => ObservedValue::Number(one.report().mean),
         ObservableInfo::new("megno", ColumnScope::Orbit, &[("megno", "mean exponential growth factor of nearby orbits")])
             .of_tangent_vectors().usual().colour("mean MEGNO");
     Sali, "SALI, the smaller alignment index of two tangent vectors.",
-        Sali<Carrier<'a, T>> = Sali::new(carrier.clone()), one => ObservedValue::Number(one.report()),
+        Sali<TangentCarrier<'a, T>> = Sali::new(carrier.clone()), one => ObservedValue::Number(one.report()),
         ObservableInfo::new("sali", ColumnScope::Orbit, &[("sali", "smaller alignment index")])
             .of_tangent_vectors().usual().colour("SALI").logarithmic();
     Rotation, "The rotation number of each variable, in turns per step.",
@@ -208,8 +208,8 @@ fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
 
 /// The observers of one orbit. The report holds the values, and the extremes for a second pass.
 struct AllObservers<'a, T: MachineFloat + EmbedScalar, M, B> {
-    carrier: Carrier<'a, T>,
-    running: Vec<(Observable, Running<'a, T, M, B>)>,
+    carrier: TangentCarrier<'a, T>,
+    running: Vec<(Observable, RunningObserver<'a, T, M, B>)>,
 }
 
 fn all<'a, T: MachineFloat + EmbedScalar + PartialOrd>(
@@ -217,7 +217,7 @@ fn all<'a, T: MachineFloat + EmbedScalar + PartialOrd>(
     asked: &ObservationRequest<'a>,
 ) -> AllObservers<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
     let needs_vectors = asked.of.iter().any(|one| one.is_of_tangent_vectors());
-    let carrier = Carrier::new(at, asked.relations.filter(|_| needs_vectors));
+    let carrier = TangentCarrier::new(at, asked.relations.filter(|_| needs_vectors));
     let own = |one: &Observable| (*one, running(*one, at, &carrier, asked));
     let running = asked.of.iter().map(own).collect();
     AllObservers { carrier, running }
@@ -253,7 +253,7 @@ where
         }
         for place in 0..first.running.len() {
             let own = group.each_mut().map(|all| Some(&mut all.as_mut()?.running[place].1));
-            Running::observe_burst(own, burst);
+            RunningObserver::observe_burst(own, burst);
         }
     }
 
@@ -312,7 +312,7 @@ pub(super) fn observe_one<T: MachineFloat + EmbedScalar + PartialOrd>(
     asked: &ObservationRequest<'_>,
     tell: &dyn Fn(u64) -> ControlFlow<()>,
 ) -> Result<Followed<Vec<ObservedValue>>, DimensionError> {
-    let bound = asked.bound();
+    let bound = asked.escape_bound();
     let observers = WhileFinite::within(bound, all(at, asked));
     let Followed { report: own, end } = step.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
     let Followed { report: (mut seen, middles), end: seen_end } = own;
@@ -334,7 +334,7 @@ pub(super) fn observe_many<T: MachineFloat + EmbedScalar + PartialOrd>(
     asked: &ObservationRequest<'_>,
     tell: &dyn Fn(u64) -> ControlFlow<()>,
 ) -> Result<Vec<Followed<Vec<ObservedValue>>>, DimensionError> {
-    let observers = |orbit: usize| WhileFinite::within(asked.bound(), all(maps[orbit], asked));
+    let observers = |orbit: usize| WhileFinite::within(asked.escape_bound(), all(maps[orbit], asked));
     let points = &mut starts.to_vec();
     let by_code =
         |maps: [&MapAt<T>; GROUP], points: &mut _, observers: &mut [_], tell: &mut dyn FnMut(u64) -> _| {
@@ -345,7 +345,7 @@ pub(super) fn observe_many<T: MachineFloat + EmbedScalar + PartialOrd>(
         let observers = |orbit: usize| {
             let Followed { report: (_, middles), end } = &first[orbit];
             let middles = middles.as_ref().expect("rotation is asked for");
-            WhileFinite::within(asked.bound(), maps[orbit].rotations(end.steps(asked.steps), middles))
+            WhileFinite::within(asked.escape_bound(), maps[orbit].rotations(end.steps(asked.steps), middles))
         };
         let points = &mut starts.to_vec();
         let again = MapAt::observe_columns_while(maps, &mut slices(points), asked.steps, observers, tell)?;

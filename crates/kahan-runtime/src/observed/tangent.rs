@@ -8,7 +8,7 @@
 //!
 //! If the map preserves the relations, the propagated plane stays near the vectors (e, Dg·e).
 //! Resets at every step would change exponents by a multiple of ε. Therefore the plane is reset
-//! only if its distance from (e, Dg·e) exceeds [`FARTHEST`].
+//! only if its distance from (e, Dg·e) exceeds [`LARGEST_DERIVATIVE_ERROR`].
 
 use core::fmt;
 use std::cell::RefCell;
@@ -31,10 +31,10 @@ pub trait Relations: fmt::Debug + Sync {
 
 /// The largest error of a propagated derivative at which the plane is not reset, relative to the
 /// function's largest derivative. If the map preserves the relations, errors are of order ε².
-const FARTHEST: f64 = 1.0 / 64.0;
+const LARGEST_DERIVATIVE_ERROR: f64 = 1.0 / 64.0;
 
 #[derive(Clone, Debug)]
-pub(super) struct Carrier<'a, T: MachineFloat> {
+pub(super) struct TangentCarrier<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
     /// The propagated plane of a lifted field; `None` if tangent vectors are in all variables.
     pub(super) plane: Option<Rc<RefCell<CarriedPlane<'a, T>>>>,
@@ -54,18 +54,18 @@ pub(super) struct CarriedPlane<'a, T: MachineFloat> {
     largest: Vec<f64>,
 }
 
-impl<'a, T: MachineFloat + EmbedScalar> Carrier<'a, T> {
+impl<'a, T: MachineFloat + EmbedScalar> TangentCarrier<'a, T> {
     pub(super) fn new(map: &'a MapAt<T>, relations: Option<&'a dyn Relations>) -> Self {
         let plane = |relations| CarriedPlane {
             map,
             relations,
-            parameters: map.own().0.iter().map(T::approximate).collect(),
+            parameters: map.parameters_and_eps().0.iter().map(T::approximate).collect(),
             place: Vec::new(),
             basis: Vec::new(),
             images: Vec::new(),
             largest: Vec::new(),
         };
-        Carrier { map, plane: relations.map(|relations| Rc::new(RefCell::new(plane(relations)))) }
+        TangentCarrier { map, plane: relations.map(|relations| Rc::new(RefCell::new(plane(relations)))) }
     }
 
     pub(super) fn follow(&self, step: u64, x: &[T]) {
@@ -109,7 +109,8 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
         self.replace_if_far(x, true);
     }
 
-    /// Resets the plane to (e, Dg·e) if its error exceeds [`FARTHEST`], or if `must` is set.
+    /// Resets the plane to (e, Dg·e) if its error exceeds [`LARGEST_DERIVATIVE_ERROR`], or if `must`
+    /// is set.
     fn replace_if_far(&mut self, x: &[T], must: bool) {
         let (n, slopes) = (self.basis.len(), self.slopes(x));
         let mut is_far = must;
@@ -119,7 +120,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
             // If `largest` is 0, the added variable does not occur in the equations.
-            let is_near = error <= FARTHEST * FARTHEST * *largest;
+            let is_near = error <= LARGEST_DERIVATIVE_ERROR * LARGEST_DERIVATIVE_ERROR * *largest;
             is_far |= *largest > 0.0 && !is_near;
         }
         if is_far {
@@ -151,7 +152,7 @@ fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
     rows.iter().flatten().all(|entry| entry.approximate().is_finite())
 }
 
-impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
+impl<T: MachineFloat + EmbedScalar> Step for TangentCarrier<'_, T> {
     type Scalar = T;
     type State = Vec<T>;
 
@@ -173,7 +174,7 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
     }
 }
 
-impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
+impl<T: MachineFloat + EmbedScalar> TangentMap for TangentCarrier<'_, T> {
     /// Propagates a vector; in a lifted field, by the images of the last step.
     fn push_forward(&self, x: &[T], v: &mut Vec<T>) {
         let Some(plane) = &self.plane else { return self.map.push_forward(x, v) };

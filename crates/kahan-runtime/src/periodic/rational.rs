@@ -51,16 +51,16 @@ impl Map {
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
         /// Relative distances within which the simplest fraction is taken.
-        const NEAR: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
+        const FRACTION_DISTANCES: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 
         let start = cycle.points.first()?;
         if products(start.len(), cycle.points.len()) > MOST_PRODUCTS {
             return None;
         }
-        let points = NEAR.iter().find_map(|near| {
+        let points = FRACTION_DISTANCES.iter().find_map(|near| {
             let guess: Option<Vec<Rational>> =
-                start.iter().map(|&x| simplest(x, near * cycle.size())).collect();
-            self.closed(eps, &guess?, cycle.points.len())
+                start.iter().map(|&x| simplest_fraction(x, near * cycle.size())).collect();
+            self.closed_cycle(eps, &guess?, cycle.points.len())
         })?;
         let polynomial = characteristic_polynomial(&self.exact_derivative(eps, &points)?);
         Some(RationalCycle { stability: stability(&polynomial), points, polynomial })
@@ -75,7 +75,7 @@ impl Map {
         jacobians.reduce(|before, here| Some(product(&here?, &before?)))?
     }
 
-    fn closed(&self, eps: &Rational, start: &[Rational], period: usize) -> Option<Vec<Vec<Rational>>> {
+    fn closed_cycle(&self, eps: &Rational, start: &[Rational], period: usize) -> Option<Vec<Vec<Rational>>> {
         let orbit = HeightsOrbit::new(self.field().system(), self.parameters(), eps, start).ok()?;
         let mut orbit = orbit.within_digits(MOST_DIGITS);
         let mut points = Vec::new();
@@ -93,17 +93,17 @@ fn products(variables: usize, period: usize) -> usize {
 }
 
 /// Returns the fraction with the smallest denominator at a distance of at most `near` from x.
-fn simplest(x: f64, near: f64) -> Option<Rational> {
+fn simplest_fraction(x: f64, near: f64) -> Option<Rational> {
     let (low, high) = (Rational::from_f64(x - near)?, Rational::from_f64(x + near)?);
     let zero = Rational::zero();
     if low <= zero && zero <= high {
         return Some(zero);
     }
-    if high < zero { Some(-between(&-high, &-low)?) } else { between(&low, &high) }
+    if high < zero { Some(-simplest_between(&-high, &-low)?) } else { simplest_between(&low, &high) }
 }
 
 /// Returns the simplest fraction in [low, high] by continued fractions; both ends are positive.
-fn between(low: &Rational, high: &Rational) -> Option<Rational> {
+fn simplest_between(low: &Rational, high: &Rational) -> Option<Rational> {
     let (mut low, mut high) = (low.clone(), high.clone());
     let mut taken = Vec::new();
     let last = loop {
@@ -135,8 +135,11 @@ mod tests {
         let text = "xdot = x*(1 - y); ydot = y*(x - 1);";
         let map = crate::Field::parse(text).unwrap().map().unwrap();
         let (eps, start) = (Rational::new(1, 5), [Rational::new(3, 5), Rational::one()]);
-        assert_eq!(map.closed(&eps, &start, 10_000), None);
-        assert_eq!(map.closed(&eps, &[Rational::one(), Rational::one()], 10_000).unwrap().len(), 10_000);
+        assert_eq!(map.closed_cycle(&eps, &start, 10_000), None);
+        assert_eq!(
+            map.closed_cycle(&eps, &[Rational::one(), Rational::one()], 10_000).unwrap().len(),
+            10_000
+        );
     }
 
     #[test]
@@ -155,8 +158,8 @@ mod tests {
         for (x, above, below) in
             [(0.5, 1, 2), (1.0 / 3.0, 1, 3), (-22.0 / 7.0, -22, 7), (0.0, 0, 1), (1e-15, 0, 1), (41.0, 41, 1)]
         {
-            assert_eq!(simplest(x, 1e-12), Some(Rational::new(above, below)), "{x}");
+            assert_eq!(simplest_fraction(x, 1e-12), Some(Rational::new(above, below)), "{x}");
         }
-        assert_eq!(simplest(std::f64::consts::PI, 2e-3), Some(Rational::new(22, 7)));
+        assert_eq!(simplest_fraction(std::f64::consts::PI, 2e-3), Some(Rational::new(22, 7)));
     }
 }

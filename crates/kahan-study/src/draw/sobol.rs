@@ -3,12 +3,12 @@
 const BITS: usize = 32;
 
 /// The number of points after which the sequence repeats.
-const LENGTH: u64 = 1 << BITS;
+const PERIOD: u64 = 1 << BITS;
 
 const DIMENSIONS: usize = 512;
 
 /// The primitive polynomials and initial direction integers of all dimensions but the first.
-const NUMBERS: &str = include_str!("joe_kuo.txt");
+const DIRECTION_NUMBERS: &str = include_str!("joe_kuo.txt");
 
 #[derive(Clone, Debug)]
 pub(crate) struct Sobol {
@@ -19,14 +19,14 @@ impl Sobol {
     /// Returns the dimension with this index. Fails if the sequence is too short or has too few
     /// dimensions.
     pub(crate) fn dimension(index: usize, points: u64) -> Result<Self, String> {
-        if points > LENGTH {
+        if points > PERIOD {
             return Err(format!(
-                "Sobol's sequence has {LENGTH} points and then repeats itself; draw {points} with \"uniform\""
+                "Sobol's sequence has {PERIOD} points and then repeats itself; draw {points} with \"uniform\""
             ));
         }
         let mut m = [1u32; BITS];
         if index > 0 {
-            let line = NUMBERS.lines().filter(|line| !line.starts_with('#')).nth(index - 1);
+            let line = DIRECTION_NUMBERS.lines().filter(|line| !line.starts_with('#')).nth(index - 1);
             let line = line.ok_or_else(|| {
                 format!("Sobol points have at most {DIMENSIONS} dimensions; draw it with \"uniform\"")
             })?;
@@ -50,12 +50,12 @@ impl Sobol {
         Ok(Self { directions: std::array::from_fn(|i| m[i] << (BITS - 1 - i)) })
     }
 
-    /// Returns the number at `index`, which must be below [`LENGTH`].
+    /// Returns the number at `index`, which must be below [`PERIOD`].
     pub(crate) fn at(&self, index: u64) -> f64 {
         let gray = index ^ (index >> 1);
         let chosen = self.directions.iter().enumerate().filter(|(bit, _)| gray >> bit & 1 == 1);
         let sum = chosen.fold(0, |sum, (_, direction)| sum ^ direction);
-        f64::from(sum) / LENGTH as f64
+        f64::from(sum) / PERIOD as f64
     }
 }
 
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn no_point_comes_twice() {
-        assert!(Sobol::dimension(0, LENGTH).is_ok());
-        assert!(Sobol::dimension(0, LENGTH + 1).is_err());
+        assert!(Sobol::dimension(0, PERIOD).is_ok());
+        assert!(Sobol::dimension(0, PERIOD + 1).is_err());
     }
 }

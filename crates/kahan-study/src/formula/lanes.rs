@@ -10,20 +10,20 @@ use kahan_program::{Arithmetic, Calls, Program};
 use super::{Called, Formula, Operation};
 
 /// A formula with its own constants for each orbit. Each lane has the same bits as [`Formula::of`].
-pub(crate) struct Abreast {
+pub(crate) struct FormulaGroup {
     program: Program<Vec<Operation>>,
     variables: Vec<(usize, usize)>,
     workspace: RefCell<Vec<Group<f64>>>,
 }
 
-impl Abreast {
+impl FormulaGroup {
     /// Combines formulas of the same text, one for each orbit. Panics without formulas.
     pub(crate) fn of(formulas: &[&Formula]) -> Self {
         let own = |lane: usize| &formulas[lane.min(formulas.len() - 1)].known;
         let group = |place: usize| std::array::from_fn(|lane| own(lane)[place]);
         let workspace = RefCell::new((0..formulas[0].known.len()).map(group).collect());
         let Formula { program, variables, .. } = formulas[0].clone();
-        Abreast { program, variables, workspace }
+        FormulaGroup { program, variables, workspace }
     }
 
     /// Returns the value on each orbit; `points` holds the values of each variable on all orbits.
@@ -40,7 +40,7 @@ impl Abreast {
 struct Lanes;
 
 #[inline(always)]
-fn each(a: &Group<f64>, b: &Group<f64>, of: impl Fn(f64, f64) -> f64) -> Group<f64> {
+fn zip_lanes(a: &Group<f64>, b: &Group<f64>, of: impl Fn(f64, f64) -> f64) -> Group<f64> {
     let mut all = [0.0; GROUP];
     for ((all, a), b) in all.iter_mut().zip(a).zip(b) {
         *all = of(*a, *b);
@@ -58,27 +58,27 @@ impl Arithmetic for Lanes {
 
     #[inline(always)]
     fn add(&self, a: &Group<f64>, b: &Group<f64>) -> Group<f64> {
-        each(a, b, |a, b| a + b)
+        zip_lanes(a, b, |a, b| a + b)
     }
 
     #[inline(always)]
     fn subtract(&self, a: &Group<f64>, b: &Group<f64>) -> Group<f64> {
-        each(a, b, |a, b| a - b)
+        zip_lanes(a, b, |a, b| a - b)
     }
 
     #[inline(always)]
     fn multiply(&self, a: &Group<f64>, b: &Group<f64>) -> Group<f64> {
-        each(a, b, |a, b| a * b)
+        zip_lanes(a, b, |a, b| a * b)
     }
 
     #[inline(always)]
     fn negate(&self, a: &Group<f64>) -> Group<f64> {
-        each(a, a, |a, _| -a)
+        zip_lanes(a, a, |a, _| -a)
     }
 
     #[inline(always)]
     fn divide(&self, a: &Group<f64>, b: &Group<f64>) -> Option<Group<f64>> {
-        Some(each(a, b, |a, b| a / b))
+        Some(zip_lanes(a, b, |a, b| a / b))
     }
 
     fn is_zero(&self, a: &Group<f64>) -> bool {
@@ -88,6 +88,6 @@ impl Arithmetic for Lanes {
 
 impl Calls<Called> for Lanes {
     fn call(&self, function: &Called, a: &Group<f64>, b: &Group<f64>) -> Option<Group<f64>> {
-        Some(each(a, b, |a, b| Float64.call(function, &a, &b).expect("doubles have values")))
+        Some(zip_lanes(a, b, |a, b| Float64.call(function, &a, &b).expect("doubles have values")))
     }
 }

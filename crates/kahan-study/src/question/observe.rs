@@ -25,8 +25,8 @@ use super::{NoOrbit, usual_order};
 pub use kahan_runtime::{Observable, ObservedValue};
 
 /// The message of `expect` for calls of a map that succeed because lengths and types match.
-pub(super) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
-const LAST: &str = "the last point was asked for";
+pub(super) const ARGUMENTS_FIT: &str = "a column a variable, all of one length, and a map an orbit";
+const LAST_POINT_REQUESTED: &str = "the last point was asked for";
 
 /// A request for observations of the orbit of a point, in doubles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -240,10 +240,10 @@ impl Observe {
         }
         let transient = ObservationRequest { of: &[Observable::Last], steps: self.transient, ..asked };
         let (mut before, why) = self.one(study, at, start, &transient, tell);
-        let settled = before.report.pop().and_then(last_point::<T>).expect(LAST);
+        let settled = before.report.pop().and_then(last_point::<T>).expect(LAST_POINT_REQUESTED);
         let steps = if before.end == End::Complete { self.steps } else { 0 };
         let (found, ends) = self.one(study, at, &settled, &ObservationRequest { steps, ..asked }, tell);
-        let found = later(found, before.end.steps(self.transient));
+        let found = after_transient(found, before.end.steps(self.transient));
         if before.end == End::Complete { (found, ends) } else { (Followed { end: before.end, ..found }, why) }
     }
 
@@ -269,14 +269,14 @@ impl Observe {
         let before = self.side_by_side(study, maps, starts, &transient, tell).into_iter().enumerate();
         let ends: Vec<End> = before
             .map(|(orbit, mut found)| {
-                let last = found.report.pop().and_then(last_point::<T>).expect(LAST);
+                let last = found.report.pop().and_then(last_point::<T>).expect(LAST_POINT_REQUESTED);
                 settled.iter_mut().zip(last).for_each(|(column, x)| column[orbit] = x);
                 found.end
             })
             .collect();
         let found = self.side_by_side(study, maps, &settled, &asked, tell).into_iter().zip(ends).enumerate();
         let found = found.map(|(orbit, (found, before))| match before {
-            End::Complete => later(found, self.transient),
+            End::Complete => after_transient(found, self.transient),
             _ => one(orbit),
         });
         found.collect()
@@ -292,11 +292,11 @@ impl Observe {
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> (Followed<Vec<ObservedValue>>, Option<LiftEnds>) {
         let Some(step) = study.steps(at, self.reembed) else {
-            return (T::observe_one(None, at, start, asked, tell).expect(FITTING), None);
+            return (T::observe_one(None, at, start, asked, tell).expect(ARGUMENTS_FIT), None);
         };
         let with_last = ObservationRequest { of: &with_last(asked.of), ..*asked };
-        let mut found = T::observe_one(Some(&step), at, start, &with_last, tell).expect(FITTING);
-        let last = found.report.pop().and_then(last_point::<T>).expect(LAST);
+        let mut found = T::observe_one(Some(&step), at, start, &with_last, tell).expect(ARGUMENTS_FIT);
+        let last = found.report.pop().and_then(last_point::<T>).expect(LAST_POINT_REQUESTED);
         let ends = matches!(found.end, End::Range(_)).then(|| step.ends(&last)).flatten();
         found.end = step.end(found.end, &last);
         (found, ends)
@@ -314,10 +314,10 @@ impl Observe {
     ) -> Vec<Followed<Vec<ObservedValue>>> {
         let is_lifted = maps.first().is_some_and(|at| study.lifted_step(at).is_some());
         let of = if is_lifted { with_last(asked.of) } else { asked.of.to_vec() };
-        let mut found =
-            T::observe_many(maps, starts, &ObservationRequest { of: &of, ..*asked }, tell).expect(FITTING);
+        let mut found = T::observe_many(maps, starts, &ObservationRequest { of: &of, ..*asked }, tell)
+            .expect(ARGUMENTS_FIT);
         for (orbit, found) in found.iter_mut().enumerate().filter(|_| is_lifted) {
-            let last = found.report.pop().and_then(last_point::<T>).expect(LAST);
+            let last = found.report.pop().and_then(last_point::<T>).expect(LAST_POINT_REQUESTED);
             if study.lifted_step(maps[orbit]).is_some_and(|step| step.is_beyond(&last)) {
                 *found = self.one(study, maps[orbit], &start_of(starts, orbit), asked, tell).0;
             }
@@ -375,7 +375,7 @@ fn with_last(of: &[Observable]) -> Vec<Observable> {
 }
 
 /// Adds the steps before the observation to all step numbers of the observation.
-fn later(found: Followed<Vec<ObservedValue>>, before: u64) -> Followed<Vec<ObservedValue>> {
+fn after_transient(found: Followed<Vec<ObservedValue>>, before: u64) -> Followed<Vec<ObservedValue>> {
     let later = |seen| match seen {
         ObservedValue::Step(step) => ObservedValue::Step(step.map(|step| step + before)),
         seen => seen,

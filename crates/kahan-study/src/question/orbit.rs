@@ -297,7 +297,7 @@ impl Orbit {
         }
     }
 
-    fn paces(&self) -> Result<RowSchedule, StudyError> {
+    fn row_schedule(&self) -> Result<RowSchedule, StudyError> {
         let zero = || StudyError::NotPositive { what: "every", value: Rational::zero() };
         RowSchedule::new(self.transient, self.steps, self.every).ok_or_else(zero)
     }
@@ -353,7 +353,7 @@ impl Orbit {
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Orbited, StudyError> {
         let study = self.study(study)?;
         let begun = self.begin(&study)?;
-        let cells = self.paces()?.rows().saturating_mul(begun.head.columns.len() as u64);
+        let cells = self.row_schedule()?.rows().saturating_mul(begun.head.columns.len() as u64);
         if cells > MOST_CELLS { Err(StudyError::TooLong { cells }) } else { Ok(begun.in_memory(watch)) }
     }
 
@@ -363,7 +363,7 @@ impl Orbit {
         study: &'a Study,
     ) -> Result<StartedOrbit<'a>, StudyError> {
         study.proved()?;
-        let paces = self.paces()?;
+        let paces = self.row_schedule()?;
         let composition = Composition::of_order(self.order).ok_or(StudyError::Order(self.order))?;
         self.check(study).map_err(StudyError::Orbit)?;
         let (start, given) = (study.point(&self.at)?, study.values()?);

@@ -166,7 +166,7 @@ impl Periodic {
         let mut cycle = periodic_point(&family.on_leaf(self.begin()), &start, self.period)
             .map_err(|why| StudyError::NoCycle { system: system.clone(), why })?;
         let branch = self.over.as_ref().map(|axis| (axis.name.clone(), family.branch(&cycle, axis, watch)));
-        family.unfold(&mut cycle);
+        family.to_all_variables(&mut cycle);
         Ok(CycleFound {
             system,
             variables: study.variables().to_vec(),
@@ -215,15 +215,15 @@ impl CycleFound {
 }
 
 /// A linear integral Σ cₖ xₖ with a fixed value.
-struct Held {
+struct HeldIntegral {
     /// The coefficients cₖ that differ from 0, each with its index k.
     coefficients: Vec<(usize, Rational)>,
     value: Rational,
 }
 
-impl Held {
+impl HeldIntegral {
     fn of(coefficients: Vec<(usize, Rational)>, point: &[Rational]) -> Self {
-        Held { value: value(&coefficients, point), coefficients }
+        HeldIntegral { value: value(&coefficients, point), coefficients }
     }
 
     /// Writes the integral and its value as an equation with a positive first coefficient.
@@ -247,7 +247,7 @@ struct Family {
     study: Study,
     eps: Rational,
     start: Vec<f64>,
-    held: Vec<Held>,
+    held: Vec<HeldIntegral>,
     /// The level set of the integrals with fixed values.
     leaf: LevelSet,
     /// The index of the varied parameter; `None` for ε, and without an axis.
@@ -270,7 +270,7 @@ impl Family {
         let point = study.point(&if asked.at.is_empty() { own() } else { asked.at.clone() })?;
         let given = asked.eps.clone().or(of_axis);
         let is_steady = asked.period == 1 && asked.free.is_none();
-        let eps = given.or_else(|| is_steady.then(|| step_for(study.map().ok()?, &point))?);
+        let eps = given.or_else(|| is_steady.then(|| eps_for(study.map().ok()?, &point))?);
         let eps = eps.ok_or(StudyError::MissingStep)?;
         // Report mistakes in the input before the search.
         let (_, start) = study.in_floats(&point, &eps)?;
@@ -286,7 +286,7 @@ impl Family {
         integrals.retain(|integral| integral.iter().all(|(k, _)| *k < variables));
         let floats: Vec<_> = integrals.iter().map(floats).collect();
         let leaf = LevelSet::through(&start[..variables], &floats);
-        let held = integrals.into_iter().map(|integral| Held::of(integral, &point)).collect();
+        let held = integrals.into_iter().map(|integral| HeldIntegral::of(integral, &point)).collect();
         Ok(Family { study, eps, start, held, leaf, parameter, changes: axis.is_some() })
     }
 
@@ -306,7 +306,7 @@ impl Family {
     }
 
     /// Converts the points of a cycle from coordinates on the level set to all variables.
-    fn unfold(&self, cycle: &mut PeriodicPoint) {
+    fn to_all_variables(&self, cycle: &mut PeriodicPoint) {
         for point in &mut cycle.points {
             *point = self.leaf.point(point);
         }
@@ -340,7 +340,7 @@ impl Family {
     /// Converts the points of a branch to all variables, and makes the axis values exact.
     fn finish(&self, branch: &mut Branch, axis: &Axis) {
         for point in &mut branch.points {
-            self.unfold(&mut point.cycle);
+            self.to_all_variables(&mut point.cycle);
             if let BranchPointKind::Asked(k) = point.mark {
                 point.parameter = axis.range.value(k).to_f64();
             }
@@ -357,7 +357,7 @@ impl Family {
             return None;
         }
         let exact = self.own().rational_cycle(&self.eps, cycle)?;
-        let is_held = |held: &Held| value(&held.coefficients, &exact.points[0]) == held.value;
+        let is_held = |held: &HeldIntegral| value(&held.coefficients, &exact.points[0]) == held.value;
         self.held.iter().all(is_held).then(|| exact.on_leaf(self.held.len()))
     }
 }
@@ -381,9 +381,9 @@ fn integrals(
 }
 
 /// Returns a power of two for ε at which the entries of ∂x̃/∂x − 1 are at most about 1.
-fn step_for(map: &Map, point: &[Rational]) -> Option<Rational> {
+fn eps_for(map: &Map, point: &[Rational]) -> Option<Rational> {
     /// A number of trials that covers all powers of two among doubles.
-    const MOST: usize = 2200;
+    const MAX_TRIALS: usize = 2200;
 
     let start: Vec<f64> = point.iter().map(Rational::to_f64).collect();
     let change = |eps: f64| {
@@ -392,7 +392,7 @@ fn step_for(map: &Map, point: &[Rational]) -> Option<Rational> {
         if change.iter().all(|entry| entry.is_finite()) { change.amax() } else { f64::INFINITY }
     };
     let mut eps = 1.0;
-    for _ in 0..MOST {
+    for _ in 0..MAX_TRIALS {
         match change(eps) {
             0.0 => return Some(Rational::one()),
             change if change > 1.0 => eps /= 2.0,

@@ -201,9 +201,9 @@ impl Section {
 
     fn most_steps(&self) -> Result<u64, StudyError> {
         /// The number of steps for each crossing, if the question gives no number of steps.
-        const EACH: u64 = 10_000;
+        const STEPS_PER_CROSSING: u64 = 10_000;
 
-        let by_crossings = || self.crossings.map(|crossings| crossings.saturating_mul(EACH));
+        let by_crossings = || self.crossings.map(|crossings| crossings.saturating_mul(STEPS_PER_CROSSING));
         self.steps.or_else(by_crossings).ok_or(StudyError::MissingSteps)
     }
 }

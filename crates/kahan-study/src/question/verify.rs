@@ -112,10 +112,10 @@ impl Verify {
         let claims: Vec<&Claim> = paper.claims().iter().filter(is_meant).collect();
         let count = WorkCount::new("claims", claims.len() as u64, watch);
         if self.mutate {
-            let mutations = of_each(&paper, &claims, &count, |claim| mutated(&paper, claim));
+            let mutations = for_each_claim(&paper, &claims, &count, |claim| mutated(&paper, claim));
             return Mutations::of(mutations, seconds_since(begun, watch));
         }
-        let claims = of_each(&paper, &claims, &count, |claim| {
+        let claims = for_each_claim(&paper, &claims, &count, |claim| {
             let begun = watch.now();
             let verdict = paper.verdict(claim);
             Verdict { seconds: seconds_since(begun, watch), ..verdict }
@@ -126,7 +126,7 @@ impl Verify {
 }
 
 /// Applies a function to the claims in parallel, until the watch cancels the work.
-fn of_each<R: Send>(
+fn for_each_claim<R: Send>(
     paper: &Paper,
     claims: &[&Claim],
     count: &WorkCount<'_>,

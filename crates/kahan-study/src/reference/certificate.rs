@@ -13,7 +13,7 @@ const FEWEST_STEPS: f64 = 16.0;
 const LEAST_MORE: f64 = 1.25;
 const MOST_MORE: f64 = 2.0;
 /// The relative difference above which a trial of the composition stops.
-const LOST: f64 = 0.1;
+const STOPPING_DIFFERENCE: f64 = 0.1;
 /// The number of times at which a path is compared with a closed solution.
 const CLOSED_SAMPLES: u32 = 64;
 const SAMPLES: u64 = 4096;
@@ -149,7 +149,7 @@ impl Comparison {
             let Some(x) = orbit.nth(stride - 1) else { break };
             let t = dt * Dd::from(step as f64);
             comparison.add(t.into(), path.distance(t, x.as_slice()));
-            if comparison.difference > LOST.max(allowed) {
+            if comparison.difference > STOPPING_DIFFERENCE.max(allowed) {
                 break;
             }
             step += stride as u64;

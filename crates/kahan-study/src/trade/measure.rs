@@ -15,7 +15,7 @@ use super::Measured;
 use super::drift::{Drift, Integrals};
 use super::prices::Prices;
 use super::runner::Runner;
-use super::stops::stops;
+use super::stops::inspected_steps;
 
 /// The number of points at which integrals are evaluated beside a trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
@@ -52,7 +52,7 @@ impl Trials for SettingMeasurements<'_> {
             return None;
         }
         let Some(measured) = self.measure(*setting) else {
-            self.skip(scheme, steps);
+            self.record_skipped(scheme, steps);
             return None;
         };
         let error = measured.error();
@@ -78,7 +78,7 @@ impl Trials for SettingMeasurements<'_> {
         let eps = self.scene.horizon() / (2.0 * end);
         let is_late = self.expected(scheme, eps, end) > self.time_left().mul_f64(share);
         if is_late {
-            self.skip(scheme, next);
+            self.record_skipped(scheme, next);
         }
         is_late
     }
@@ -86,14 +86,14 @@ impl Trials for SettingMeasurements<'_> {
 
 impl SettingMeasurements<'_> {
     /// Records the smallest number of steps that a scheme could not try because time ran out.
-    fn skip(&mut self, scheme: Scheme, steps: u64) {
+    fn record_skipped(&mut self, scheme: Scheme, steps: u64) {
         if self.skipped.iter().all(|(skipped, _)| *skipped != scheme) {
             self.skipped.push((scheme, self.scene.setting(scheme, steps).eps()));
         }
     }
 
     /// Removes and returns the schemes that ran out of time, so that they can be tried again.
-    pub(super) fn put_off(&mut self) -> Vec<(Scheme, f64)> {
+    pub(super) fn take_skipped(&mut self) -> Vec<(Scheme, f64)> {
         std::mem::take(&mut self.skipped)
     }
 
@@ -105,15 +105,15 @@ impl SettingMeasurements<'_> {
         let seconds = if self.is_code {
             1e-9 * self.prices.nanoseconds(scheme) * steps
         } else {
-            const PROBE: u64 = 8;
-            self.subject.seconds(scheme, eps, PROBE) * steps / PROBE as f64
+            const PROBE_STEPS: u64 = 8;
+            self.subject.seconds(scheme, eps, PROBE_STEPS) * steps / PROBE_STEPS as f64
         };
         Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)
     }
 
     fn measure(&self, setting: Setting) -> Option<Measured> {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
-        let stops = stops(self.reference.as_ref(), eps, steps);
+        let stops = inspected_steps(self.reference.as_ref(), eps, steps);
         let (mut trajectory, mut samples) = (0.0_f64, 0_usize);
         let mut drift = Drift::new(self.subject, &self.integrals, eps);
         let has_integrals = !self.integrals.is_empty();

@@ -6,9 +6,9 @@ mod drift;
 mod front;
 mod measure;
 mod object;
-mod paste;
 mod prices;
 mod runner;
+mod rust_code;
 mod search;
 mod stops;
 
@@ -256,7 +256,8 @@ impl<'a> RefinementSearch<'a> {
     ) -> Result<Self, CannotTrade> {
         let clock = runner.clock;
         // A time limit that `Duration` cannot represent is replaced by a very long one.
-        let deadline = clock() + Duration::try_from_secs_f64(seconds).unwrap_or(LONG).min(LONG);
+        let deadline =
+            clock() + Duration::try_from_secs_f64(seconds).unwrap_or(UNLIMITED_TIME).min(UNLIMITED_TIME);
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (exact_parameters, exact_start) = (exact(parameters), exact(&runner.start));
         let wide: Vec<Dd> = runner.start.iter().map(DoubleDouble::round).collect();
@@ -325,14 +326,14 @@ impl<'a> RefinementSearch<'a> {
         let Self { search, tolerance, stalled } = self;
         let mut measuring = search.into_trials();
         let mut settings = std::mem::take(&mut measuring.settings);
-        front::mark(&mut settings);
+        front::mark_pareto_front(&mut settings);
         for setting in settings.iter_mut().filter(|setting| setting.on_front) {
             setting.return_error = measuring.return_error(&setting.setting);
         }
         let SettingMeasurements { subject, scene, reference, is_code, skipped, .. } = measuring;
         let choice = settings.iter().find(|setting| setting.error() <= tolerance).map(|best| Choice {
             setting: best.clone(),
-            rust: paste::rust_of(study, parameters, &subject.start, &best.setting),
+            rust: rust_code::rust_statement(study, parameters, &subject.start, &best.setting),
         });
         Traded {
             system: study.name().to_owned(),
@@ -365,4 +366,4 @@ impl SettingMeasurements<'_> {
 }
 
 /// A duration that means no limit; clocks cannot represent much later times.
-const LONG: Duration = Duration::from_secs(1 << 32);
+const UNLIMITED_TIME: Duration = Duration::from_secs(1 << 32);

@@ -12,19 +12,19 @@ use super::runner::Runner;
 pub(super) struct Prices(Vec<(Scheme, f64)>);
 
 /// The number of rounds. Each round times every scheme once, and the shortest time is used.
-const ROUNDS: usize = 15;
-const STAGES: u64 = 2040;
+const TIMING_ROUNDS: usize = 15;
+const TIMED_STAGES: u64 = 2040;
 
 impl Prices {
     /// Times every scheme in rounds. ε is at most the given one, and so small that a round ends
     /// before the horizon, beyond which states may be subnormal and slow.
     pub(super) fn of(subject: &Runner<'_>, eps: f64, horizon: f64) -> Self {
         let mut prices = Prices(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
-        for _ in 0..ROUNDS {
+        for _ in 0..TIMING_ROUNDS {
             for (scheme, least) in &mut prices.0 {
                 let stages = scheme.composition.stages() as u64;
                 let is_wide = scheme.precision == Precision::DoubleDouble;
-                let steps = STAGES / if is_wide { 5 * stages } else { stages };
+                let steps = TIMED_STAGES / if is_wide { 5 * stages } else { stages };
                 let eps = eps.min(horizon / (2.0 * steps as f64));
                 // The time of a step does not depend on ε, so an ε in the range of `f32` is used.
                 let eps = scheme.precision.eps_near(eps.min(f64::from(f32::MAX)), Need::Trajectory);

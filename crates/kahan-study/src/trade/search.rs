@@ -10,7 +10,7 @@ pub(super) const MEASURED: SearchParameters =
     SearchParameters { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
 const SHARE: f64 = 0.3;
 /// Errors of `f64` above this size are not caused by rounding.
-const UNEVEN: f64 = 1e-11;
+const UNEVEN_ERROR: f64 = 1e-11;
 
 /// A search over step sizes, with the schemes whose errors have stopped falling.
 pub(super) struct RefinementSearch<'a> {
@@ -26,7 +26,7 @@ impl RefinementSearch<'_> {
         self.search.set_share(1.0);
         if self.search.best().is_none() {
             // If no setting was found, schemes that ran out of time get all the remaining time.
-            for (scheme, _) in self.search.trials_mut().put_off() {
+            for (scheme, _) in self.search.trials_mut().take_skipped() {
                 self.refine_steps(scheme, coarsest);
             }
         }
@@ -34,7 +34,7 @@ impl RefinementSearch<'_> {
             self.search.refine(scheme);
         }
         self.search.set_share(SHARE);
-        if self.search.is_uneven(UNEVEN) {
+        if self.search.is_uneven(UNEVEN_ERROR) {
             for precision in [Precision::Double, Precision::Single] {
                 for composition in Composition::BEST.into_iter().rev() {
                     self.search.scan(Scheme::of(precision).composed(composition), coarsest);

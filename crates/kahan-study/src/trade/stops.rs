@@ -3,15 +3,15 @@
 use crate::reference::Reference;
 
 /// The number of evenly spaced stops; if the orbit has fewer steps, each step is a stop.
-const EVENLY: u64 = 512;
+const EVEN_STOPS: u64 = 512;
 /// The number of stops on each polynomial piece of the trajectory.
 const ON_A_PIECE: u32 = 3;
 /// The largest number of pieces that get stops.
 const MOST_PIECES: usize = 2048;
 
 /// Returns the steps at which an orbit of `steps` ≥ 1 steps is inspected, in increasing order.
-pub(super) fn stops(reference: Option<&Reference>, eps: f64, steps: u64) -> Vec<u64> {
-    let stride = steps.div_ceil(EVENLY);
+pub(super) fn inspected_steps(reference: Option<&Reference>, eps: f64, steps: u64) -> Vec<u64> {
+    let stride = steps.div_ceil(EVEN_STOPS);
     let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();
     if let Some(flow) = reference.map(Reference::flow).filter(|_| stride > 1) {
         let apart = flow.breaks().len().div_ceil(MOST_PIECES);

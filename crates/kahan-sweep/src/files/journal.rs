@@ -21,22 +21,22 @@ pub(crate) struct Journal {
 }
 
 /// The prefix and suffix of the names of journal files.
-const BEGIN: &str = "notes-";
-const END: &str = ".bin";
+const JOURNAL_PREFIX: &str = "notes-";
+const JOURNAL_SUFFIX: &str = ".bin";
 
 impl Journal {
     pub(crate) fn of(part: &Part<'_>) -> Self {
-        Self { folder: part.under_way(), file: None, kind: kind(part) }
+        Self { folder: part.unfinished_folder(), file: None, kind: record_kind(part) }
     }
 
     /// Returns the tables of earlier processes, in any order, with the numbers of their first rows.
     pub(crate) fn noted(part: &Part<'_>) -> Vec<(u64, Table)> {
         let mut noted = Vec::new();
-        for path in files(&part.under_way(), BEGIN, END) {
+        for path in files(&part.unfinished_folder(), JOURNAL_PREFIX, JOURNAL_SUFFIX) {
             // If a file is unreadable, its rows are computed again.
             let bytes = std::fs::read(path).unwrap_or_default();
             let mut rest = Bytes(&bytes);
-            while let Some(record) = rest.record(kind(part), &part.plan.empty) {
+            while let Some(record) = rest.record(record_kind(part), &part.plan.empty) {
                 noted.extend(record);
             }
         }
@@ -50,7 +50,7 @@ impl Journal {
         let mut file = match self.file.take() {
             Some(file) => file,
             // The name of the file is random, because processes in containers may have equal ids.
-            None => fresh(&self.folder, BEGIN, END)?.keep()?.0,
+            None => fresh(&self.folder, JOURNAL_PREFIX, JOURNAL_SUFFIX)?.keep()?.0,
         };
         for (first, rows) in done {
             let body = encode(rows);
@@ -68,7 +68,7 @@ impl Journal {
 }
 
 /// Returns the kind of a part's records, a hash of plan, version and floating-point mode.
-fn kind(part: &Part<'_>) -> [u8; 8] {
+fn record_kind(part: &Part<'_>) -> [u8; 8] {
     let digest = Sha256::digest([&part.plan.hash(), VERSION, FLOATS].join("\n"));
     std::array::from_fn(|place| digest[place])
 }

@@ -9,12 +9,12 @@ use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 
-use super::part::{Part, files, fresh, of_disk, writer};
+use super::part::{Part, files, fresh, into_io_error, writer};
 use crate::plan::Plan;
 
-const WRITING: &str = ".results-";
+const TEMPORARY_PREFIX: &str = ".results-";
 
-pub(crate) const RESULTS: &str = "results.parquet";
+pub(crate) const RESULTS_FILE: &str = "results.parquet";
 
 /// Merges all parts of a folder into one file there, and returns the size of the file. If parts are
 /// missing, damaged or from another plan, fails with a reason for each.
@@ -28,11 +28,11 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
             plan.parts()
         )]);
     }
-    let mut file = fresh(folder, WRITING, "").map_err(failed)?;
+    let mut file = fresh(folder, TEMPORARY_PREFIX, "").map_err(failed)?;
     let mut to = writer(plan, &mut file).map_err(failed)?;
     let mut reasons = Vec::new();
     for part in parts() {
-        match part.checked() {
+        match part.open_checked() {
             // After the first unusable part nothing is written; only reasons are collected.
             Ok(_) if !reasons.is_empty() => {}
             Ok(reader) => copy(&part, &reader, &mut to).map_err(failed)?,
@@ -46,7 +46,7 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
     to.close().map_err(failed)?;
     let bytes = file.as_file().metadata().map_err(failed)?.len();
     file.as_file().sync_all().map_err(failed)?;
-    let results = folder.join(RESULTS);
+    let results = folder.join(RESULTS_FILE);
     match file.persist(&results) {
         Ok(_) => {}
         // Another process has merged the same parts, and removed the temporary files.
@@ -55,12 +55,12 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
     }
     // Removes the temporary files of killed processes. A process that is still merging finds the
     // result.
-    files(folder, WRITING, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
+    files(folder, TEMPORARY_PREFIX, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }
 
 fn failed(error: impl Into<ParquetError>) -> Vec<String> {
-    vec![format!("{RESULTS} cannot be written: {}", of_disk(error.into()))]
+    vec![format!("{RESULTS_FILE} cannot be written: {}", into_io_error(error.into()))]
 }
 
 fn copy(

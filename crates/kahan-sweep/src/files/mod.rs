@@ -10,7 +10,7 @@ mod status;
 mod table;
 
 pub(crate) use journal::Journal;
-pub(crate) use merge::{RESULTS, merge};
+pub(crate) use merge::{RESULTS_FILE, merge};
 pub(crate) use part::{Part, UnusablePart, folder_is_writable};
 pub(crate) use status::{Status, ranges, status};
-pub(crate) use table::{NoTable, numbers, table};
+pub(crate) use table::{TableError, numbers, table};

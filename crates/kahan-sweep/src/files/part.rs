@@ -74,7 +74,7 @@ impl<'a> Part<'a> {
     }
 
     pub(crate) fn write(&self, rows: &Table) -> io::Result<()> {
-        match self.written(rows).map_err(of_disk) {
+        match self.written(rows).map_err(into_io_error) {
             // Another process has written the part, and removed its unfinished files.
             Err(error) if error.kind() == io::ErrorKind::NotFound && self.exists() => Ok(()),
             result => result,
@@ -83,15 +83,15 @@ impl<'a> Part<'a> {
 
     fn written(&self, rows: &Table) -> Result<(), ParquetError> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
-        let mut file = fresh(&self.under_way(), "rows-", ".parquet")?;
+        let mut file = fresh(&self.unfinished_folder(), "rows-", ".parquet")?;
         let mut writer = writer(self.plan, &mut file)?;
         let mut group = writer.next_row_group()?;
         for column in &rows.values {
             put(&mut group, column)?;
         }
         group.close()?;
-        writer.append_key_value_metadata(says(keys::PART, self.index.to_string()));
-        writer.append_key_value_metadata(says(keys::CHECKSUM, NO_DIGITS));
+        writer.append_key_value_metadata(key_value(keys::PART, self.index.to_string()));
+        writer.append_key_value_metadata(key_value(keys::CHECKSUM, NO_DIGITS));
         writer.close()?;
         let sum = Checksum::of(file.as_file_mut())?;
         file.seek(SeekFrom::Start(sum.place))?;
@@ -104,13 +104,13 @@ impl<'a> Part<'a> {
     }
 
     /// Returns the folder for the unfinished files of this part.
-    pub(super) fn under_way(&self) -> PathBuf {
+    pub(super) fn unfinished_folder(&self) -> PathBuf {
         self.path.with_extension("under-way")
     }
 
-    pub(crate) fn tidy(&self) {
+    pub(crate) fn remove_unfinished(&self) {
         // Errors are ignored, since remaining files do no harm.
-        let _ = std::fs::remove_dir_all(self.under_way());
+        let _ = std::fs::remove_dir_all(self.unfinished_folder());
     }
 
     pub(crate) fn exists(&self) -> bool {
@@ -118,7 +118,7 @@ impl<'a> Part<'a> {
     }
 
     /// Opens the file after checking its checksum, plan, version and index.
-    pub(crate) fn checked(&self) -> Result<SerializedFileReader<File>, UnusablePart> {
+    pub(crate) fn open_checked(&self) -> Result<SerializedFileReader<File>, UnusablePart> {
         let name = self.path.file_name().unwrap_or_default().display();
         let damaged = |why: &dyn Display| UnusablePart::Damaged(format!("{name} is damaged ({why})"));
         // The checksum is verified before any metadata are trusted.
@@ -157,7 +157,7 @@ impl<'a> Part<'a> {
     }
 }
 
-fn says(key: &str, value: impl Into<String>) -> KeyValue {
+fn key_value(key: &str, value: impl Into<String>) -> KeyValue {
     KeyValue::new(key.to_owned(), value.into())
 }
 
@@ -166,12 +166,12 @@ pub(super) fn writer<W: Write + Send>(plan: &Plan, to: W) -> Result<SerializedFi
     let meanings = plan.empty.columns.iter().map(|column| (&*column.name, &*column.meaning));
     let meanings: BTreeMap<&str, &str> = meanings.collect();
     let said = vec![
-        says(keys::PLAN, plan.canonical()),
-        says(keys::HASH, plan.hash()),
-        says(keys::VERSION, VERSION),
-        says(keys::FLOATS, FLOATS),
-        says(keys::SEED, plan.seed().to_string()),
-        says(keys::COLUMNS, serde_json::json!(meanings).to_string()),
+        key_value(keys::PLAN, plan.canonical()),
+        key_value(keys::HASH, plan.hash()),
+        key_value(keys::VERSION, VERSION),
+        key_value(keys::FLOATS, FLOATS),
+        key_value(keys::SEED, plan.seed().to_string()),
+        key_value(keys::COLUMNS, serde_json::json!(meanings).to_string()),
     ];
     let properties = WriterProperties::builder()
         .set_dictionary_enabled(false)
@@ -267,11 +267,11 @@ impl Checksum {
 /// Creates the folder if it is missing, and checks that files can be written into it.
 pub(crate) fn folder_is_writable(folder: &Path) -> io::Result<()> {
     // Removes test files that killed processes left in this folder.
-    files(folder, PROBE, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
-    fresh(folder, PROBE, "").map(drop)
+    files(folder, PROBE_PREFIX, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
+    fresh(folder, PROBE_PREFIX, "").map(drop)
 }
 
-const PROBE: &str = ".probe-";
+const PROBE_PREFIX: &str = ".probe-";
 
 /// Lists the files of a folder whose names have this prefix and suffix.
 pub(super) fn files(folder: &Path, begin: &str, end: &str) -> Vec<PathBuf> {
@@ -292,7 +292,7 @@ pub(super) fn fresh(folder: &Path, prefix: &str, suffix: &str) -> io::Result<Nam
 }
 
 /// Returns the I/O error that a Parquet error contains; wraps any other error.
-pub(super) fn of_disk(error: ParquetError) -> io::Error {
+pub(super) fn into_io_error(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(inner) => inner.downcast().map_or_else(io::Error::other, |inner| *inner),
         error => io::Error::other(error),

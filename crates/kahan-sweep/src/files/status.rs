@@ -19,7 +19,7 @@ pub(crate) fn status(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Stat
     let mut status = Status::default();
     for index in 0..plan.parts() {
         let part = Part::of(plan, index, folder);
-        match part.exists().then(|| part.checked()) {
+        match part.exists().then(|| part.open_checked()) {
             None => status.missing.push(index),
             Some(Ok(_)) => status.done += 1,
             Some(Err(why)) => status.refused.push(why.to_string()),

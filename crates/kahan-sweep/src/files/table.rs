@@ -15,7 +15,7 @@ use parquet::schema::types::Type;
 
 /// The reason why a table could not be written.
 #[derive(Debug)]
-pub(crate) enum NoTable {
+pub(crate) enum TableError {
     /// The file is invalid, or lacks a column.
     Unreadable(String),
     /// Writing the output failed.
@@ -24,17 +24,17 @@ pub(crate) enum NoTable {
 
 /// Writes the named columns as CSV; without names, all columns. Numbers read back exactly,
 /// undefined values are NaN, and text is in quotes.
-pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Result<(), NoTable> {
-    let unreadable = |why: String| NoTable::Unreadable(format!("{} {why}", path.display()));
+pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Result<(), TableError> {
+    let unreadable = |why: String| TableError::Unreadable(format!("{} {why}", path.display()));
     let (names, rows) = rows(path, columns).map_err(unreadable)?;
     let mut line = String::new();
     csv_line(&mut line, &names);
     for row in rows {
-        to.write_all(line.as_bytes()).map_err(NoTable::Unwritten)?;
+        to.write_all(line.as_bytes()).map_err(TableError::Unwritten)?;
         line.clear();
         csv_line(&mut line, row.map_err(unreadable)?.iter().map(shown));
     }
-    to.write_all(line.as_bytes()).map_err(NoTable::Unwritten)
+    to.write_all(line.as_bytes()).map_err(TableError::Unwritten)
 }
 
 /// Reads columns as exact numbers. An error is a sentence about the file.

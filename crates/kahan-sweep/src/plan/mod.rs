@@ -30,7 +30,7 @@ pub struct Plan {
     canonical: OnceLock<String>,
 }
 
-fn choose(table: Table, places: Option<&[usize]>) -> Table {
+fn select_columns(table: Table, places: Option<&[usize]>) -> Table {
     let Some(places) = places else { return table };
     let columns = places.iter().map(|&place| table.columns[place].clone()).collect();
     Table { columns, values: places.iter().map(|&place| table.values[place].clone()).collect() }
@@ -80,7 +80,7 @@ impl Plan {
         let mut all = Table::default();
         let end = self.study.rows(&self.question, indices, &mut all, watch);
         end.expect("the columns were asked for when the plan was read");
-        choose(all, self.places.as_deref())
+        select_columns(all, self.places.as_deref())
     }
 
     /// Returns the plan as canonical JSON, independent of its formatting.

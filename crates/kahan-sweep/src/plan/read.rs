@@ -13,7 +13,7 @@ use kahan_study::{
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-use super::{Plan, choose};
+use super::{Plan, select_columns};
 use crate::files::numbers;
 
 const ROWS: u64 = 100_000;
@@ -24,7 +24,7 @@ const MOST_PARTS: u64 = 32_767;
 
 const KEYS: [&str; 6] = ["seed", "draws", "starts", "subject", "question", "output"];
 /// Old names of tables in a plan, each with its present name.
-const RENAMED: [(&str, &str); 3] =
+const RENAMED_TABLES: [(&str, &str); 3] =
     [("system", "[subject]"), ("task", "[question]"), ("axes", "[question.over]")];
 
 pub(super) fn plan(text: &str, origin: &str) -> Result<Plan, String> {
@@ -60,7 +60,7 @@ fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -
 
 fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Misread>) -> Option<Plan> {
     for name in root.keys().filter(|name| !KEYS.contains(&name.as_str())) {
-        let now = RENAMED.iter().find(|(before, _)| before == name);
+        let now = RENAMED_TABLES.iter().find(|(before, _)| before == name);
         let now =
             now.map_or_else(|| format!("it has {}", KEYS.join(", ")), |(_, now)| format!("write {now}"));
         mistakes.push(mistake(&[name], format!("the plan has no `{name}`; {now}")));
@@ -80,7 +80,7 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let file = root.remove("starts");
     let question = question(root, mistakes);
     // A table with an old name is reported already, so it is not reported as missing.
-    if RENAMED.iter().any(|(before, _)| root.contains_key(*before)) {
+    if RENAMED_TABLES.iter().any(|(before, _)| root.contains_key(*before)) {
         mistakes.retain(|mistake| !mistake.path.is_empty());
     }
     let written = written?;
@@ -101,7 +101,7 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let asked = drifts.and_then(|()| study.rows(&question, 0..0, &mut empty, &Unwatched));
     let points = asked.and(points).map_err(|why| mistakes.push(of_question(&why))).ok()?;
     let places = output.places(&empty, mistakes);
-    let empty = choose(empty, places.as_deref());
+    let empty = select_columns(empty, places.as_deref());
     let rows_per_part = output.rows_per_part;
     let plan = Plan { study, question, points, rows_per_part, places, empty, canonical: OnceLock::new() };
     mistakes.extend(too_large(&plan));

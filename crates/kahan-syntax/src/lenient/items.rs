@@ -32,7 +32,7 @@ impl Reader<'_> {
                 at = end;
                 continue;
             }
-            let left = self.left(at);
+            let left = self.left_side(at);
             let brackets = usize::from(left.as_ref().is_some_and(|left| left.is_in_call));
             let end = self.end_of(at, left.as_ref());
             let is_ended = brackets == 0 && self.at(end) == ";";
@@ -50,7 +50,7 @@ impl Reader<'_> {
             let is_left =
                 |left: LeftSide| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
             at == self.given.len()
-                || self.left(at).is_some_and(is_left)
+                || self.left_side(at).is_some_and(is_left)
                 || self.is_keyword(at)
                 || self.line_of_directive(at).is_some()
                 || self.is_done(at)

@@ -19,7 +19,7 @@ const DERIVATIVES: [(usize, &str); 4] = [
 
 const HIGHEST_ORDER: usize = 8;
 
-const DECLARING: [&str; 6] = ["par", "param", "params", "parameter", "parameters", "init"];
+const DECLARATION_KEYWORDS: [&str; 6] = ["par", "param", "params", "parameter", "parameters", "init"];
 /// Words that declare values at the start of a line. Elsewhere they are ordinary names.
 const AT_BEGINNINGS: [&str; 5] = ["p", "i", "number", "aux", "!"];
 
@@ -50,10 +50,10 @@ impl LeftSide {
 }
 
 impl Reader<'_> {
-    pub(super) fn left(&self, at: usize) -> Option<LeftSide> {
+    pub(super) fn left_side(&self, at: usize) -> Option<LeftSide> {
         let begins =
             || AT_BEGINNINGS.contains(&self.at(at)) && self.begins_line(at) && !self.begins_line(at + 1);
-        let is_declared = (DECLARING.contains(&self.at(at)) || begins()) && self.is_name(at + 1);
+        let is_declared = (DECLARATION_KEYWORDS.contains(&self.at(at)) || begins()) && self.is_name(at + 1);
         let is_in_call = self.at(at) == "Eq" && self.at(at + 1) == "(";
         let of = self.derivative(at + usize::from(is_declared) + 2 * usize::from(is_in_call))?;
         let is_first = self.is_group(of.end, "0");
@@ -70,12 +70,12 @@ impl Reader<'_> {
 
     pub(super) fn derivative(&self, at: usize) -> Option<Derivative> {
         let matching = |(order, patterns): &(usize, &str)| {
-            patterns.split('|').find_map(|pattern| self.matching(at, pattern, *order))
+            patterns.split('|').find_map(|pattern| self.match_derivative(at, pattern, *order))
         };
         DERIVATIVES.iter().find_map(matching)
     }
 
-    fn matching(&self, mut at: usize, pattern: &str, mut order: usize) -> Option<Derivative> {
+    fn match_derivative(&self, mut at: usize, pattern: &str, mut order: usize) -> Option<Derivative> {
         let mut found = None;
         let time = |at: usize| if self.is_group(at, "t") { 3 } else { 0 };
         for piece in pattern.split(' ') {

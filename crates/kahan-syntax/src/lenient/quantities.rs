@@ -11,7 +11,7 @@ use super::left_side::LeftSide;
 use super::xpp::Function;
 use super::{PlacedToken, Reader, mistake};
 
-const DEEPEST: usize = 256;
+const MAX_DEPTH: usize = 256;
 
 impl Reader<'_> {
     /// Records the states, and names the derivatives that become new states.
@@ -112,9 +112,9 @@ impl Reader<'_> {
         let mut put_in = Vec::new();
         // Each round expands quantities whose parts are already expanded. The parser reports
         // cycles.
-        for _ in 0..DEEPEST {
+        for _ in 0..MAX_DEPTH {
             let names: HashSet<&str> = quantities.iter().map(|(_, name, _)| *name).collect();
-            let waits = |right: &Range<usize>| self.needs(right).iter().any(|name| names.contains(name));
+            let waits = |right: &Range<usize>| self.used_names(right).iter().any(|name| names.contains(name));
             let (waiting, ready): (Vec<_>, Vec<_>) =
                 quantities.into_iter().partition(|(_, _, right)| waits(right));
             quantities = waiting;

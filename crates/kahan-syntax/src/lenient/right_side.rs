@@ -8,7 +8,7 @@ use crate::spelling::fresh;
 use crate::token::{Token, TokenKind};
 
 use super::left_side::{Derivative, LeftSide};
-use super::{PlacedToken, Reader, mistake, placed};
+use super::{PlacedToken, Reader, mistake, placed_token};
 
 pub(super) const MOST_TOKENS: usize = 200_000;
 
@@ -19,11 +19,11 @@ impl Reader<'_> {
         self.explain_products(&mut right);
         let Derivative { name, order, end } = &left.of;
         let [of_name, of_sign] = [tokens.start..*end, *end..left.right].map(|tokens| self.bytes(tokens));
-        let mut out = vec![placed(&format!("{name}dot"), &of_name), placed("=", &of_sign)];
+        let mut out = vec![placed_token(&format!("{name}dot"), &of_name), placed_token("=", &of_sign)];
         for derivative in self.states.get(name).iter().flat_map(|chain| &chain[..order - 1]) {
             let next = format!("{derivative}dot");
-            out.extend([derivative, ";", &next].map(|text| placed(text, &of_name)));
-            out.push(placed("=", &of_sign));
+            out.extend([derivative, ";", &next].map(|text| placed_token(text, &of_name)));
+            out.push(placed_token("=", &of_sign));
         }
         out[0].0.docs.clone_from(&self.given[tokens.start].0.docs);
         out.extend(right);
@@ -39,7 +39,7 @@ impl Reader<'_> {
                 matches!(token.kind, TokenKind::Punctuation(_) | TokenKind::Open(_))
             };
             let end = if let Some((name, end)) = own {
-                out.push(placed(name, &self.bytes(at..end)));
+                out.push(placed_token(name, &self.bytes(at..end)));
                 end
             } else if self.is_name(at) {
                 self.write_name(at, in_equation, &mut out)
@@ -78,14 +78,14 @@ impl Reader<'_> {
                 let message = "with the formula of this name the field is too large";
                 out.push(mistake(&range, message, "make it a state, or shorten it"));
             } else {
-                out.push(placed("(", &range));
+                out.push(placed_token("(", &range));
                 out.extend_from_slice(quantity);
-                out.push(placed(")", &range));
+                out.push(placed_token(")", &range));
             }
             return end;
         }
         if in_equation && let Some(root) = self.root(at) {
-            out.push(placed(&root, &self.bytes(at..at + 4)));
+            out.push(placed_token(&root, &self.bytes(at..at + 4)));
             return at + 4;
         }
         if is_of_time && !self.is_state(self.at(at)) {
@@ -144,7 +144,7 @@ impl Reader<'_> {
             }
             let is_apart = !is_joint && before.is_some_and(|before| !before.touches_next);
             let (number, word) = glued.unwrap_or(("", &token.text));
-            let letters = self.letters(word);
+            let letters = self.split_into_letters(word);
             if let Some(letters) = &letters {
                 question = format!("; if `{word}` is one name, keep it for `{letters}`");
             }
@@ -158,7 +158,7 @@ impl Reader<'_> {
     }
 
     /// Splits a short undefined word into a product of letters, if at least one letter is a state.
-    fn letters(&self, word: &str) -> Option<String> {
+    fn split_into_letters(&self, word: &str) -> Option<String> {
         let letters = || word.chars().map(String::from);
         let is_word = (2..=3).contains(&letters().count()) && word.chars().all(char::is_alphabetic);
         let is_product = is_word && letters().any(|letter| self.is_state(&letter)) && !self.is_state(word);

@@ -7,9 +7,9 @@ use crate::spelling::ON_TEXTS;
 use crate::token::TokenKind;
 
 use super::right_side::MOST_TOKENS;
-use super::{PlacedToken, Reader, mistake, placed};
+use super::{PlacedToken, Reader, mistake, placed_token};
 
-const DEEPEST: usize = 64;
+const MAX_CALL_DEPTH: usize = 64;
 
 #[derive(Clone, Debug)]
 pub(super) struct Function {
@@ -60,7 +60,7 @@ impl Reader<'_> {
         self.is_name(at) && self.at(at + 1) == "[" && is_number(at + 2) && self.at(at + 3) == "."
     }
 
-    pub(super) fn refused(&self, tokens: &Range<usize>) -> Option<PlacedToken> {
+    pub(super) fn unsupported_item(&self, tokens: &Range<usize>) -> Option<PlacedToken> {
         let start = tokens.start;
         self.line_of_directive(start)?;
         let word = self.at(start);
@@ -87,7 +87,7 @@ impl Reader<'_> {
     }
 
     /// Returns the names that some tokens use, directly or in functions that they call.
-    pub(super) fn needs(&self, tokens: &Range<usize>) -> HashSet<&str> {
+    pub(super) fn used_names(&self, tokens: &Range<usize>) -> HashSet<&str> {
         let (mut found, mut left) = (HashSet::new(), vec![tokens.clone()]);
         while let Some(tokens) = left.pop() {
             for name in self.names_in(tokens) {
@@ -122,7 +122,7 @@ impl Reader<'_> {
         let (given, end) = self.call(at + 1)?;
         let range = self.bytes(at..end);
         const TOO_LARGE: &str = "with the formula of this function the field is too large";
-        let wrong = if self.added > MOST_TOKENS || self.depth >= DEEPEST {
+        let wrong = if self.added > MOST_TOKENS || self.depth >= MAX_CALL_DEPTH {
             Some(TOO_LARGE.to_owned())
         } else if given.len() != arguments.len() {
             Some(format!("`{name}` has {} arguments, and {} stand here", arguments.len(), given.len()))
@@ -149,9 +149,9 @@ impl Reader<'_> {
             out.push(mistake(&range, TOO_LARGE, "make it a state, or shorten it"));
             return Some(end);
         }
-        out.push(placed("(", &range));
+        out.push(placed_token("(", &range));
         out.extend(formula);
-        out.push(placed(")", &range));
+        out.push(placed_token(")", &range));
         Some(end)
     }
 

@@ -12,7 +12,7 @@ use super::expr::{Dialect, parse_expr};
 use super::keyword::wrong_keyword;
 use super::{Parsed, error};
 
-const SHAPES: &str =
+const ITEM_SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
 
 /// Reads an item into the block. After a mistake, the cursor stays inside the item.
@@ -24,7 +24,7 @@ pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<
         return error(Kind::Syntax, cursor.behind(), "a `;` that ends nothing", "remove it");
     }
     let Some(word) = cursor.identifier(0) else {
-        return Err(cursor.missing(Kind::Syntax, cursor.here(), "an equation", SHAPES));
+        return Err(cursor.missing(Kind::Syntax, cursor.here(), "an equation", ITEM_SHAPES));
     };
     let named = cursor.identifier(1).is_some();
     let kind = ClaimKind::of_keyword(word);
@@ -63,7 +63,7 @@ pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<
 fn constant<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     cursor.advance();
     let name = cursor.expect_name("the name of a constant")?;
-    let (value, outcome) = defined(cursor);
+    let (value, outcome) = parse_definition(cursor);
     block.constants.push(Constant { name, value });
     outcome
 }
@@ -71,13 +71,13 @@ fn constant<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed
 fn equation<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     let left = cursor.expect_name("an equation")?;
     let state = state_of(cursor, block, left)?;
-    let (value, outcome) = defined(cursor);
+    let (value, outcome) = parse_definition(cursor);
     block.equations.push(Equation { state, value });
     outcome
 }
 
 /// Reads `= expr;`. If only the `;` is missing, the expression is returned nevertheless.
-pub(super) fn defined<X: Dialect>(cursor: &mut Cursor<'_>) -> (Option<Expr<X>>, Parsed<()>) {
+pub(super) fn parse_definition<X: Dialect>(cursor: &mut Cursor<'_>) -> (Option<Expr<X>>, Parsed<()>) {
     match equals(cursor).and_then(|()| parse_expr(cursor)) {
         Ok(value) => (Some(value), semicolon(cursor)),
         Err(mistake) => (None, Err(mistake)),
@@ -119,7 +119,7 @@ fn state_of<X>(cursor: &Cursor<'_>, block: &mut Block<X>, left: Name) -> Parsed<
         }
         None => {
             block.misspelt_states.push(left);
-            SHAPES.to_owned()
+            ITEM_SHAPES.to_owned()
         }
     };
     error(Kind::Name, span, format!("`{text}` is no left-hand side: it does not end in `dot`"), help)

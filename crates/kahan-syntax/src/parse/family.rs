@@ -2,19 +2,19 @@
 //! of a chain.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Block, Boundary, Equation, FamilyHead, InFamily, Name};
+use crate::syntax::{Block, Boundary, Equation, FamilyHead, FamilySyntax, Name};
 use crate::token::{Span, TokenKind};
 
-use super::block::defined;
+use super::block::parse_definition;
 use super::cursor::Cursor;
 use super::expr::{Dialect, atom};
 use super::mistakes::check_plain_name;
 use super::number::parse_number;
 use super::{Parsed, error};
 
-const SHAPE: &str = "write `for i in periodic { x[i]dot = …; }`, or `for i in open { … }`";
+const FAMILY_SHAPE: &str = "write `for i in periodic { x[i]dot = …; }`, or `for i in open { … }`";
 
-const FARTHEST: i64 = 64;
+const MAX_OFFSET: i64 = 64;
 
 pub(super) fn begins(cursor: &Cursor<'_>) -> bool {
     cursor.identifier(0) == Some("for")
@@ -37,7 +37,7 @@ pub(super) fn family(
         cursor.index = found.or(cursor.index);
     }
     if cursor.identifier(0) != Some("in") {
-        return Err(cursor.missing(Kind::Syntax, cursor.here(), "`in`", SHAPE));
+        return Err(cursor.missing(Kind::Syntax, cursor.here(), "`in`", FAMILY_SHAPE));
     }
     cursor.advance();
     let boundary = match cursor.identifier(0) {
@@ -46,14 +46,14 @@ pub(super) fn family(
         _ => {
             let found = cursor.describe_next();
             let message = format!("a chain is `periodic` or `open`, and {found} is neither");
-            diagnostics.report(Kind::Syntax, cursor.here(), message, SHAPE);
+            diagnostics.report(Kind::Syntax, cursor.here(), message, FAMILY_SHAPE);
             Boundary::Periodic
         }
     };
     cursor.advance();
     let span = start.to(cursor.behind());
     if !cursor.is_open(0, '{') {
-        return Err(cursor.missing(Kind::Syntax, span.to(cursor.here()), "`{`", SHAPE));
+        return Err(cursor.missing(Kind::Syntax, span.to(cursor.here()), "`{`", FAMILY_SHAPE));
     }
     cursor.advance();
     let equations_before = block.equations.len();
@@ -101,20 +101,20 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     }
     cursor.advance();
     let state = Name { text: array.text, span: span.to(cursor.behind()) };
-    let (value, outcome) = defined(cursor);
+    let (value, outcome) = parse_definition(cursor);
     block.equations.push(Equation { state, value });
     outcome
 }
 
 /// Only families have sites and sums over sites.
-impl Dialect for InFamily {
+impl Dialect for FamilySyntax {
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>> {
         if cursor.index.is_some() && cursor.is_open(0, '[') {
             let offset = offset(cursor, name, span)?;
-            return Ok(Some(InFamily::Site { array: name.to_owned(), offset }));
+            return Ok(Some(FamilySyntax::Site { array: name.to_owned(), offset }));
         }
         if cursor.index.is_some() && name == "sum" && cursor.is_open(0, '(') {
-            return Ok(Some(InFamily::OverSites(Box::new(atom(cursor, depth)?))));
+            return Ok(Some(FamilySyntax::OverSites(Box::new(atom(cursor, depth)?))));
         }
         check_plain_name(cursor, name, span)?;
         Ok(None)
@@ -152,8 +152,8 @@ fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
             let Some(offset) = value.as_i64().filter(|_| value.is_integer()) else {
                 return wrong("this offset is no integer");
             };
-            if offset > FARTHEST {
-                return wrong(&format!("neighbours farther than {FARTHEST} sites are not read"));
+            if offset > MAX_OFFSET {
+                return wrong(&format!("neighbours farther than {MAX_OFFSET} sites are not read"));
             }
             Ok(sign * offset)
         }
@@ -163,5 +163,5 @@ fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
 
 pub(super) fn outside(cursor: &Cursor<'_>) -> Diagnostic {
     let message = "an equation at a site stands in the braces of its family";
-    Diagnostic::new(Kind::Syntax, cursor.here(), message, SHAPE)
+    Diagnostic::new(Kind::Syntax, cursor.here(), message, FAMILY_SHAPE)
 }

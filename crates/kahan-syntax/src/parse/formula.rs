@@ -3,7 +3,7 @@
 //! The caller evaluates the formulas, and decides which functions exist.
 
 use crate::diagnostics::{Diagnostic, Kind};
-use crate::syntax::{Expr, ExprKind, InFormula, Name};
+use crate::syntax::{Expr, ExprKind, FormulaSyntax, Name};
 use crate::token::{Span, Token};
 
 use super::block::equals;
@@ -23,7 +23,7 @@ use super::{Parsed, error};
 /// let mistake = parse_formula(&lex("1 + cos(2 x)").tokens).expect_err("no product");
 /// assert!(mistake.help.contains("2*i"));
 /// ```
-pub fn parse_formula(tokens: &[Token]) -> Result<Expr<InFormula>, Diagnostic> {
+pub fn parse_formula(tokens: &[Token]) -> Result<Expr<FormulaSyntax>, Diagnostic> {
     let mut cursor = Cursor::of_formulas(tokens);
     let formula = parse_expr(&mut cursor)?;
     check_end(&cursor)?;
@@ -34,7 +34,7 @@ pub fn parse_formula(tokens: &[Token]) -> Result<Expr<InFormula>, Diagnostic> {
 ///
 /// # Errors
 /// Returns the first mistake.
-pub fn parse_formulas(tokens: &[Token]) -> Result<Vec<(Name, Expr<InFormula>)>, Diagnostic> {
+pub fn parse_formulas(tokens: &[Token]) -> Result<Vec<(Name, Expr<FormulaSyntax>)>, Diagnostic> {
     let mut cursor = Cursor::of_formulas(tokens);
     let mut formulas = Vec::new();
     while !cursor.is_at_end() {
@@ -60,7 +60,7 @@ fn check_end(cursor: &Cursor<'_>) -> Parsed<()> {
     error(Kind::Syntax, cursor.here(), "the formula should end here", help)
 }
 
-impl Dialect for InFormula {
+impl Dialect for FormulaSyntax {
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, _: Span, depth: usize) -> Parsed<Option<Self>> {
         if !cursor.is_open(0, '(') {
             return Ok(None);
@@ -72,7 +72,7 @@ impl Dialect for InFormula {
             }
             Ok(arguments)
         })?;
-        Ok(Some(InFormula::Call { function: name.to_owned(), arguments }))
+        Ok(Some(FormulaSyntax::Call { function: name.to_owned(), arguments }))
     }
 
     /// Reads an exponent, which may have a sign: `2^-x` is 2^(−x).
@@ -89,7 +89,7 @@ impl Dialect for InFormula {
             let span = sign.to(exponent.span);
             exponent = Expr { kind: ExprKind::Negation(Box::new(exponent)), span };
         }
-        Ok(ExprKind::Special(InFormula::Power(Box::new([base, exponent]))))
+        Ok(ExprKind::Special(FormulaSyntax::Power(Box::new([base, exponent]))))
     }
 }
 
@@ -98,9 +98,9 @@ mod tests {
     use super::{parse_formula, parse_formulas};
     use crate::diagnostics::Kind;
     use crate::lexer::lex;
-    use crate::syntax::{Expr, ExprKind, InFormula};
+    use crate::syntax::{Expr, ExprKind, FormulaSyntax};
 
-    fn grouped(expr: &Expr<InFormula>) -> String {
+    fn grouped(expr: &Expr<FormulaSyntax>) -> String {
         let list = |parts: Vec<String>| format!("({})", parts.join(" "));
         match &expr.kind {
             ExprKind::Number(value) => value.to_string(),
@@ -115,10 +115,10 @@ mod tests {
                 list(factors.iter().map(|of| sign(of.divides).to_owned() + &grouped(&of.expr)).collect())
             }
             ExprKind::Power(base, exponent) => format!("({}^{exponent})", grouped(base)),
-            ExprKind::Special(InFormula::Power(parts)) => {
+            ExprKind::Special(FormulaSyntax::Power(parts)) => {
                 format!("({}^{})", grouped(&parts[0]), grouped(&parts[1]))
             }
-            ExprKind::Special(InFormula::Call { function, arguments }) => {
+            ExprKind::Special(FormulaSyntax::Call { function, arguments }) => {
                 format!("{function}[{}]", arguments.iter().map(grouped).collect::<Vec<_>>().join(", "))
             }
         }

@@ -9,13 +9,13 @@ use crate::token::{Span, Token, TokenKind};
 use super::Parsed;
 use super::cursor::Cursor;
 
-const LIFT: &str = "lift";
+const LIFT_KEYWORD: &str = "lift";
 
 pub(super) fn is_lift(cursor: &Cursor<'_>) -> bool {
     let is_keyword = cursor.is_punctuation(1, ';')
         || cursor.is_punctuation(1, '#')
         || matches!(cursor.identifier(1), Some("pub" | "struct"));
-    cursor.identifier(0) == Some(LIFT) && is_keyword
+    cursor.identifier(0) == Some(LIFT_KEYWORD) && is_keyword
 }
 
 /// Reads the header, or `lift;` if there is no header. Sets `lift` to the position of the keyword.

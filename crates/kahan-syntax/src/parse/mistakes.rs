@@ -117,18 +117,21 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
 }
 
 /// Names of analytic functions that solve a differential equation.
-const SMOOTH: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
+const ANALYTIC_FUNCTIONS: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
 /// Names of analytic functions that `kahan lift` turns into states.
-const LIFTED: &str = "sin cos tan asin acos atan sinh cosh tanh exp log ln sqrt cbrt pow";
-const ROUGH: &str = "abs heav flr sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
+const LIFTABLE_FUNCTIONS: &str = "sin cos tan asin acos atan sinh cosh tanh exp log ln sqrt cbrt pow";
+const NONANALYTIC_FUNCTIONS: &str =
+    "abs heav flr sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
 
 pub(crate) fn is_function(name: &str) -> bool {
-    [SMOOTH, ROUGH].iter().any(|names| names.split(' ').any(|known| known == name))
+    [ANALYTIC_FUNCTIONS, NONANALYTIC_FUNCTIONS]
+        .iter()
+        .any(|names| names.split(' ').any(|known| known == name))
 }
 
 /// Proposes a replacement for a function call: a new state, or a constant.
 fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
-    if ROUGH.split(' ').any(|known| known == name) {
+    if NONANALYTIC_FUNCTIONS.split(' ').any(|known| known == name) {
         return format!(
             "it is not analytic everywhere, and Kahan's method needs a field that is: {ON_TEXTS} says what can be done"
         );
@@ -151,7 +154,7 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
         );
     }
     if arguments.iter().enumerate().any(is_state) {
-        if LIFTED.split(' ').any(|known| known == name) {
+        if LIFTABLE_FUNCTIONS.split(' ').any(|known| known == name) {
             return format!("{LIFTS}, with a state for `{name}(…)`: {NOT_QUADRATIC} shows how");
         }
         return format!(

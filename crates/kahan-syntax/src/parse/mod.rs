@@ -16,7 +16,7 @@ mod mistakes;
 mod number;
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Block, ClaimBody, InFormula, Reference};
+use crate::syntax::{Block, ClaimBody, FormulaSyntax, Reference};
 use crate::token::{Span, Token};
 
 use cursor::Cursor;
@@ -35,7 +35,7 @@ fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<
 #[must_use]
 pub fn asks_for_lift(tokens: &[Token]) -> bool {
     let mut diagnostics = Diagnostics::default();
-    let (_, block) = begin::<InFormula>(tokens, &mut diagnostics);
+    let (_, block) = begin::<FormulaSyntax>(tokens, &mut diagnostics);
     // Drop these mistakes, because the caller parses the block again and reports them.
     drop(diagnostics.finish());
     block.lift.is_some()
@@ -67,7 +67,7 @@ pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
 
 /// Reads a block that is to be lifted, whose equations may contain functions and general powers.
 #[must_use]
-pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<InFormula> {
+pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<FormulaSyntax> {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
     items(&mut cursor, &mut block, diagnostics, |cursor, block, _| {
         if family::begins(cursor) {
@@ -84,7 +84,7 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<In
 }
 
 /// Reports constants with functions in claims, because claims are about the quadratic field.
-fn refuse_functions_in_claims(block: &Block<InFormula>, diagnostics: &mut Diagnostics) {
+fn refuse_functions_in_claims(block: &Block<FormulaSyntax>, diagnostics: &mut Diagnostics) {
     let mut functions: Vec<&str> = Vec::new();
     for constant in &block.constants {
         let Some(value) = &constant.value else { continue };

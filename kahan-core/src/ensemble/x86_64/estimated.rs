@@ -22,17 +22,17 @@ lanes_of_avx512!(F32x16Estimated(__m512), quotient estimated_f32);
 #[inline(always)]
 fn estimated_f64(a: F64x8Estimated, b: F64x8Estimated) -> F64x8Estimated {
     let estimate = F64x8Estimated(machine!(_mm512_rcp14_pd(b.0)));
-    a * improved(b, improved(b, estimate))
+    a * newton_iteration(b, newton_iteration(b, estimate))
 }
 
 #[inline(always)]
 fn estimated_f32(a: F32x16Estimated, b: F32x16Estimated) -> F32x16Estimated {
-    a * improved(b, F32x16Estimated(machine!(_mm512_rcp14_ps(b.0))))
+    a * newton_iteration(b, F32x16Estimated(machine!(_mm512_rcp14_ps(b.0))))
 }
 
 /// Returns r + r·(1 − x·r) for a reciprocal r of x. A relative error δ of r becomes δ².
 #[inline(always)]
-fn improved<L: Scalar + Copy>(x: L, reciprocal: L) -> L {
+fn newton_iteration<L: Scalar + Copy>(x: L, reciprocal: L) -> L {
     let error = L::one().subtract_product(x, reciprocal);
     reciprocal.multiply_add(error, reciprocal)
 }

@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
-const LINE: usize = 64;
+const CACHE_LINE: usize = 64;
 
 pub(super) struct Buffer<T> {
     entries: Vec<T>,
@@ -14,11 +14,12 @@ pub(super) struct Buffer<T> {
 
 impl<T: Scalar> Buffer<T> {
     pub(super) fn new(len: usize) -> Self {
-        let most = LINE / size_of::<T>().max(1);
+        let most = CACHE_LINE / size_of::<T>().max(1);
         // The vector never grows; therefore the alignment persists.
         let entries = vec![T::zero(); len + most];
         // If no aligned index can be reached, loads are slower.
-        let start = Some(entries.as_ptr().align_offset(LINE)).filter(|&start| start <= most).unwrap_or(0);
+        let start =
+            Some(entries.as_ptr().align_offset(CACHE_LINE)).filter(|&start| start <= most).unwrap_or(0);
         Self { entries, start }
     }
 

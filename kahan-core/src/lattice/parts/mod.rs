@@ -22,7 +22,7 @@ use std::vec::Vec;
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
 
-use super::folded::Folded;
+use super::folded::FoldedBand;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
@@ -43,7 +43,7 @@ pub(super) struct PartWorkspace<T> {
     joints: Vec<T>,
     /// The old states of the separators and of the remaining sites at the end of the chain.
     kept: Vec<T>,
-    reduced: Folded<T>,
+    reduced: FoldedBand<T>,
 }
 
 pub(in crate::lattice) trait PartSolver<T>: Sized + Send + Sync + 'static {
@@ -85,7 +85,7 @@ impl<T: LatticeScalar + InLanes> PartSolver<T> for PartWorkspace<T> {
 
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self> {
         let separator = sizes.reach * sizes.block;
-        let kept = partition.kept() * sizes.block;
+        let kept = partition.reduced_sites() * sizes.block;
         #[cfg(feature = "parallel")]
         let threads = rayon::current_num_threads();
         #[cfg(not(feature = "parallel"))]
@@ -98,7 +98,12 @@ impl<T: LatticeScalar + InLanes> PartSolver<T> for PartWorkspace<T> {
                 .collect(),
             joints: vec![T::zero(); partition.parts() * separators::size(separator)],
             kept: vec![T::zero(); kept],
-            reduced: Folded::new(kept, boundary == Boundary::Periodic, 2 * separator - 1, 2 * separator - 1),
+            reduced: FoldedBand::new(
+                kept,
+                boundary == Boundary::Periodic,
+                2 * separator - 1,
+                2 * separator - 1,
+            ),
         })
     }
 
@@ -114,7 +119,7 @@ impl<T: LatticeScalar + InLanes> PartSolver<T> for PartWorkspace<T> {
         let Self { partition, level, scratch, joints, kept, reduced } = self;
         let (partition, level) = (&*partition, *level);
         let groups = 0..partition.groups();
-        for (place, first, count) in partition.kept_runs() {
+        for (place, first, count) in partition.reduced_runs() {
             kept[place * block..][..count * block].copy_from_slice(&state[first * block..][..count * block]);
         }
 
@@ -150,7 +155,7 @@ impl<T: LatticeScalar + InLanes> PartSolver<T> for PartWorkspace<T> {
                 M::Kernels::run(Pass::Second(second), level);
             },
         );
-        for (place, first, count) in partition.kept_runs() {
+        for (place, first, count) in partition.reduced_runs() {
             let gained = &gained[place * block..][..count * block];
             for (x, w) in state[first * block..].iter_mut().zip(gained) {
                 *x = w.multiply_add(*twice, *x);

@@ -5,7 +5,7 @@
 //! and close the chain.
 
 /// The intended length of a part, much longer than its separator and short enough for a cache.
-const LENGTH: usize = 256;
+const PART_LENGTH: usize = 256;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::lattice) struct Partition {
@@ -20,7 +20,7 @@ pub(in crate::lattice) struct Partition {
 
 impl Partition {
     pub(in crate::lattice) fn new(sites: usize, reach: usize, lanes: usize) -> Option<Self> {
-        Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
+        Self::with_length(sites, reach, lanes, PART_LENGTH, 4 * reach)
     }
 
     /// Divides a chain into parts of about `about` sites. Returns `None` for parts shorter than
@@ -66,18 +66,18 @@ impl Partition {
         self.length(0)
     }
 
-    pub(super) fn left_over(&self) -> usize {
+    pub(super) fn remaining_sites(&self) -> usize {
         self.sites - self.start(self.groups)
     }
 
     /// Returns the number of sites in all separators and at the end of the chain.
-    pub(super) fn kept(&self) -> usize {
-        self.parts() * self.reach + self.left_over()
+    pub(super) fn reduced_sites(&self) -> usize {
+        self.parts() * self.reach + self.remaining_sites()
     }
 
     /// Iterates over the runs of consecutive sites in the reduced system. Yields a run's index in
     /// the system, its first site and its number of sites.
-    pub(super) fn kept_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
+    pub(super) fn reduced_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
         let partition = *self;
         let separators = (0..partition.parts()).map(move |part| {
             let group = part / partition.lanes;
@@ -90,7 +90,7 @@ impl Partition {
         separators.chain([(
             partition.parts() * partition.reach,
             partition.start(partition.groups),
-            partition.left_over(),
+            partition.remaining_sites(),
         )])
     }
 }

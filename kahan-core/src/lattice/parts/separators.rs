@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use crate::lattice::folded::{BandRow, Folded};
+use crate::lattice::folded::{BandRow, FoldedBand};
 use crate::lattice::sites::Site;
 use crate::lattice::{LatticeMap, LatticeScalar, Sizes};
 use crate::{Constant, Scalar};
@@ -10,7 +10,7 @@ use crate::{Constant, Scalar};
 use super::partition::Partition;
 
 /// The largest allowed ratio of a separator's entry to its pivot. It costs three decimal digits.
-const GROWTH: i64 = 1 << 10;
+const MAX_PIVOT_GROWTH: i64 = 1 << 10;
 
 /// Returns the number of numbers stored for a part whose separator has this many unknowns.
 pub(super) fn size(separator: usize) -> usize {
@@ -21,7 +21,7 @@ pub(super) fn size(separator: usize) -> usize {
 pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
     partition: &Partition,
     joints: &[T],
-    reduced: &'a mut Folded<T>,
+    reduced: &'a mut FoldedBand<T>,
     map: &M,
     constants: &[T],
     site: &mut Site<T>,
@@ -29,9 +29,9 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
 ) -> Option<&'a [T]> {
     let Sizes { block, reach, .. } = map.sizes();
     let separator = reach * block;
-    let (sites, left_over) = (state.len() / block, partition.left_over());
+    let (sites, left_over) = (state.len() / block, partition.remaining_sites());
     let joint = |part: usize| &joints[part * size(separator)..][..size(separator)];
-    let most = T::constant(&Constant::integer(GROWTH));
+    let most = T::constant(&Constant::integer(MAX_PIVOT_GROWTH));
     let is_small = |joint: &[T]| joint.last().is_some_and(|worst| !worst.magnitude_exceeds(&most));
     if !(0..partition.parts()).all(|part| is_small(joint(part))) {
         return None;

@@ -31,14 +31,14 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
             return;
         }
         for k in 0..WIDTH {
-            exchange(&mut self.band[k], &mut other.band[k], mask);
+            swap_where(&mut self.band[k], &mut other.band[k], mask);
         }
         for r in 0..R {
             for b in 0..B {
-                exchange(&mut self.left[r][b], &mut other.left[r][b], mask);
+                swap_where(&mut self.left[r][b], &mut other.left[r][b], mask);
             }
         }
-        exchange(&mut self.right, &mut other.right, mask);
+        swap_where(&mut self.right, &mut other.right, mask);
     }
 
     /// Returns the row with another right-hand side, and without the columns of the left separator.
@@ -84,7 +84,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
 }
 
 #[inline(always)]
-fn exchange<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
+fn swap_where<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
     (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
 }
 

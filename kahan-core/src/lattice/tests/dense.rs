@@ -55,7 +55,7 @@ fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally:
             }
         })
         .collect();
-    let mut whole = LatticeAt::planned(map.clone(), eps, sites, None).expect("sites");
+    let mut whole = LatticeAt::with_partition(map.clone(), eps, sites, None).expect("sites");
     let a = matrix(&whole, &x, eps);
     let field = DVector::from_vec(whole.field(&x));
     let norm = |matrix: &DMatrix<f64>| matrix.row_iter().map(|row| row.abs().sum()).fold(0.0, f64::max);

@@ -30,7 +30,7 @@ pub(super) fn in_short_parts<M: LatticeMap<f64>>(
 ) -> LatticeAt<M, f64> {
     let reach = M::REACH;
     let partition = Partition::with_length(sites, reach, 8, 8 * reach, 1);
-    LatticeAt::planned(map, eps, sites, partition).expect("sites").at_level(level).expect("asked for")
+    LatticeAt::with_partition(map, eps, sites, partition).expect("sites").at_level(level).expect("asked for")
 }
 
 fn levels() -> impl Iterator<Item = Level> {
@@ -44,7 +44,7 @@ fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item
     for sites in sites {
         let x = state(sites * M::BLOCK);
         let mut expected = x.clone();
-        let mut whole = LatticeAt::planned(map(sites), eps, sites, None).expect("sites");
+        let mut whole = LatticeAt::with_partition(map(sites), eps, sites, None).expect("sites");
         whole.step(&mut expected);
         assert_eq!(whole.whole_eliminations(), 1);
         let mut fused = None;

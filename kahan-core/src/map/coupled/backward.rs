@@ -17,7 +17,7 @@ use crate::map::stable::PromiseScalar;
 use crate::map::stable::{LongElimination, eliminated_at_any_capacity};
 use crate::scalar::bounded::{Bounded, Number, backward_error};
 #[cfg(feature = "std")]
-use crate::scalar::{Capacity, LongNumber, level_row};
+use crate::scalar::{Capacity, LongNumber, equilibrate_row};
 use crate::step::error::Reason;
 
 use super::formulas::PostfixEvaluator;
@@ -45,7 +45,7 @@ where
     if const { T::IS_WIDEST } {
         backward.promised(|next| backward.rest_in_wide(next))
     } else {
-        backward.promised(|next| backward.rest(next, T::embed, T::round))
+        backward.promised(|next| backward.residual(next, T::embed, T::round))
     }
 }
 
@@ -140,7 +140,7 @@ where
         }
         for i in 0..N {
             matrix[(i, i)] += LongNumber::one();
-            level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
+            equilibrate_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
         }
         solve_in_place(&mut matrix, &mut velocity)?;
         let time_step = eps.clone() + eps;
@@ -220,10 +220,10 @@ where
     #[cold]
     #[inline(never)]
     fn rest_in_wide(&self, next: &[T; N]) -> Residual<T, N> {
-        self.rest(next, T::widen, T::narrow)
+        self.residual(next, T::widen, T::narrow)
     }
 
-    fn rest<V: Number>(
+    fn residual<V: Number>(
         &self,
         next: &[T; N],
         embed: impl Fn(&T) -> V,

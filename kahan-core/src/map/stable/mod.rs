@@ -31,7 +31,7 @@ use crate::{Dd, ExtendScalars, Pivot, SingularStep};
 
 use super::checked::checked_step;
 
-use precisions::{in_general_form, in_next_wider, in_own_precision, in_wide, second};
+use precisions::{in_general_form, in_next_wider, in_own_precision, second_precision, wide_precisions};
 pub(crate) use scalars::PromiseScalar;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
@@ -100,10 +100,10 @@ fn try_wider_precisions<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize
     next: &mut SVector<T, N>,
 ) -> Result<(), SingularStep> {
     if const { !T::IS_WIDEST && N <= T::MOST_VARIABLES }
-        && let Some(settled) = second(map, &x, &eps)
+        && let Some(settled) = second_precision(map, &x, &eps)
     {
         *next = settled;
         return Ok(());
     }
-    in_wide(map, x, eps, next)
+    wide_precisions(map, x, eps, next)
 }

@@ -16,7 +16,7 @@ use crate::field::linear::vector;
 use crate::scalar::Wide;
 use crate::scalar::bounded::{Bounded, UnpackedPair};
 #[cfg(feature = "std")]
-use crate::scalar::{Capacity, LongNumber, Size, level_row};
+use crate::scalar::{Capacity, LongNumber, Size, equilibrate_row};
 use crate::step::error::Reason;
 use crate::{ExtendScalars, KahanMap, PreparedStep, SingularStep};
 
@@ -25,11 +25,11 @@ use super::scalars::PromiseScalar;
 
 /// The error bound as a multiple of the rounding unit u. One of the 64 u is reserved for the
 /// difference between ‖x̃‖∞ and ‖exact‖∞.
-pub(super) const PROMISE: f64 = 63.0;
+pub(super) const ERROR_BOUND: f64 = 63.0;
 
 /// Up to this number of operations, values and magnitudes are computed separately. In short steps,
 /// packing both into one register would delay the values.
-const SHORT: u32 = 36;
+const SHORT_STEP_OPERATIONS: u32 = 36;
 
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
@@ -38,14 +38,14 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: PromiseScalar, const N
     x: &SVector<T, N>,
     eps: &T,
 ) -> Option<SVector<T, N>> {
-    let attempt = if const { M::Prepared::COST.operations <= SHORT } {
+    let attempt = if const { M::Prepared::COST.operations <= SHORT_STEP_OPERATIONS } {
         BoundedStep::of::<T, UnpackedPair<T>, M>(map, x, eps, T::clone)
     } else {
         BoundedStep::of::<T, T::Packed, M>(map, x, eps, T::clone)
     };
     // Avoids `filter`, which would move the attempt through memory and delay each step.
     match attempt {
-        Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
+        Some(attempt) if attempt.is_within(ERROR_BOUND * T::UNIT) => Some(vector(attempt.next)),
         _ => None,
     }
 }
@@ -69,11 +69,11 @@ pub(super) fn in_next_wider<M: ExtendScalars<T, N>, T: PromiseScalar, const N: u
     eps: &T,
 ) -> Option<SVector<T, N>> {
     BoundedStep::of::<T, <T::Wider as PromiseScalar>::Packed, M>(map, x, eps, T::embed)
-        .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
+        .and_then(|attempt| attempt.rounded(ERROR_BOUND * T::UNIT, T::round, T::embed))
 }
 
 #[inline(never)]
-pub(super) fn second<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
+pub(super) fn second_precision<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
@@ -85,7 +85,7 @@ pub(super) fn second<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
 /// reason.
 #[cold]
 #[inline(never)]
-pub(super) fn in_wide<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
+pub(super) fn wide_precisions<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
@@ -110,8 +110,8 @@ pub(super) fn in_wide<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     let (mut bound, mut is_known) = (f64::INFINITY, false);
     for attempt in last.increments().into_iter().chain(once_with(|| last.reduced_map()).flatten()) {
         bound = attempt.bound().min(bound);
-        is_known |= attempt.is_within(PROMISE * T::UNIT);
-        if let Some(settled) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
+        is_known |= attempt.is_within(ERROR_BOUND * T::UNIT);
+        if let Some(settled) = attempt.rounded(ERROR_BOUND * T::UNIT, T::narrow, T::widen) {
             *next = settled;
             return Ok(());
         }
@@ -159,7 +159,7 @@ fn eliminated<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     let (map, state, eps) = (map.extend_scalars(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
     let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field_at(&state, &eps));
     for i in 0..N {
-        level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
+        equilibrate_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
     }
     let increment = increment_by_elimination(matrix, velocity, &eps)?;
     let exact: [LongNumber; N] = from_fn(|i| state[i].clone() + increment[i].clone());
@@ -169,7 +169,7 @@ fn eliminated<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
         sizes.into_iter().fold(Size::zero(), larger)
     };
     let error = largest(from_fn(|i| (exact[i].clone() - long(&rounded[i])).at_most()));
-    let most = Size::from(PROMISE * T::UNIT) * largest(rounded.map(|number| number.widen().size()));
+    let most = Size::from(ERROR_BOUND * T::UNIT) * largest(rounded.map(|number| number.widen().size()));
     if rounded.iter().all(T::is_finite_number) && error <= most {
         *next = vector(rounded);
         return Some(Ok(()));

@@ -60,7 +60,7 @@
 //! example k·u ≤ 1/25. The limit allows every input if nothing can underflow.
 
 mod formats;
-mod known;
+mod known_bounds;
 mod limit;
 mod number;
 mod operators;
@@ -70,8 +70,8 @@ mod pair;
 mod rules;
 
 #[cfg(feature = "std")]
-pub(crate) use known::KnownBounds;
-pub(crate) use known::backward_error;
+pub(crate) use known_bounds::KnownBounds;
+pub(crate) use known_bounds::backward_error;
 pub(crate) use limit::InputLimit;
 use number::MOST_UNDERFLOWS;
 pub(crate) use number::{Magnitude, Number, Range, power_of_two};
@@ -121,7 +121,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
         let pair = BoundedPair::new(value, value.size());
-        Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.settled()
+        Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.tightened()
     }
 
     #[inline(always)]

@@ -35,7 +35,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
             bits: self.bits.max(other.bits).saturating_add(1),
             ..Self::of(pair)
         }
-        .settled()
+        .tightened()
     }
 
     #[inline(always)]
@@ -47,13 +47,13 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
             bits: self.bits.saturating_add(other.bits),
             ..Self::of(pair)
         }
-        .settled()
+        .tightened()
     }
 
     /// Tightens the bound of a value v̂ with an error radius r. With the rounding unit u, the new
     /// magnitude is |v̂| + r/u. If r = 0, the value is exact.
     #[inline(always)]
-    pub(super) fn settled(self) -> Self {
+    pub(super) fn tightened(self) -> Self {
         let value = self.value();
         match value.radius() {
             None => self,
@@ -104,7 +104,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
             inverse,
             ratio,
         };
-        Some(quotient.settled())
+        Some(quotient.tightened())
     }
 
     /// Returns c/ε for a literal c and an [ordinary input](Self::is_ordinary_input) ε.

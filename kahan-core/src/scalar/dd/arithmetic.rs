@@ -9,7 +9,7 @@ use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
 use super::{Dd, extremes, moderate};
 
 /// Sums and products below this bound cause no overflow in later additions.
-const ROOM: f64 = power_of_two(1022);
+const SUM_LIMIT: f64 = power_of_two(1022);
 
 /// Quotients of operands between `SMALL` and `LARGE` lose no bits.
 const SMALL: f64 = power_of_two(-450);
@@ -17,7 +17,7 @@ const LARGE: f64 = power_of_two(450);
 
 #[inline(always)]
 fn has_room(x: f64) -> bool {
-    x.abs() < ROOM
+    x.abs() < SUM_LIMIT
 }
 
 #[inline(always)]

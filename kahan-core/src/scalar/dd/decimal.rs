@@ -6,7 +6,7 @@ use core::str::FromStr;
 use super::Dd;
 use super::fixed::{Fixed, HALF};
 
-const CHUNK: usize = 19;
+const CHUNK_DIGITS: usize = 19;
 
 const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 
@@ -39,7 +39,7 @@ impl Decimal {
         for &chunk in chunks[..count].iter().rev() {
             decimal.push_chunk(chunk);
         }
-        decimal.exponent += (CHUNK * count) as i64;
+        decimal.exponent += (CHUNK_DIGITS * count) as i64;
         let mut limbs = [0; HALF];
         limbs.copy_from_slice(fraction);
         while limbs.iter().any(|&limb| limb != 0) {
@@ -133,22 +133,22 @@ impl Decimal {
         let digit =
             |place: i64| usize::try_from(place).ok().and_then(|place| self.digits().get(place)).copied();
         let chunk = |first: i64| {
-            (first..first + CHUNK as i64)
+            (first..first + CHUNK_DIGITS as i64)
                 .fold(0, |chunk, place| 10 * chunk + u64::from(digit(place).unwrap_or(0)))
         };
         let mut fixed = Fixed::ZERO;
         let (fraction, integer) = fixed.limbs.split_at_mut(HALF);
-        let mut first = self.exponent.rem_euclid(CHUNK as i64) - CHUNK as i64;
+        let mut first = self.exponent.rem_euclid(CHUNK_DIGITS as i64) - CHUNK_DIGITS as i64;
         while first < self.exponent {
             append_chunk(integer, chunk(first));
-            first += CHUNK as i64;
+            first += CHUNK_DIGITS as i64;
         }
-        const CHUNKS: usize = (CAPACITY + LEADING_ZEROS) / CHUNK + 1;
+        const CHUNKS: usize = (CAPACITY + LEADING_ZEROS) / CHUNK_DIGITS + 1;
         let mut chunks = [0; CHUNKS];
         let behind = (self.length as i64 - self.exponent).max(0) as usize;
-        let used = behind.div_ceil(CHUNK).min(CHUNKS);
+        let used = behind.div_ceil(CHUNK_DIGITS).min(CHUNKS);
         for (i, entry) in chunks[..used].iter_mut().enumerate() {
-            *entry = chunk(self.exponent + (CHUNK * i) as i64);
+            *entry = chunk(self.exponent + (CHUNK_DIGITS * i) as i64);
         }
         for limb in fraction.iter_mut().rev() {
             *limb = next_limb(&mut chunks[..used]);

@@ -54,12 +54,12 @@ mod product {
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 mod product {
     /// Above this number [`split`] may overflow.
-    const LARGE: f64 = f64::from_bits((1023 + 995) << 52);
+    const SPLIT_LIMIT: f64 = f64::from_bits((1023 + 995) << 52);
 
     /// Returns the rounded product and its error, by splitting the factors (Dekker).
     #[inline(always)]
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
-        if a.abs() < LARGE && b.abs() < LARGE { halves(a, b) } else { large(a, b) }
+        if a.abs() < SPLIT_LIMIT && b.abs() < SPLIT_LIMIT { halves(a, b) } else { scaled_product(a, b) }
     }
 
     #[inline(always)]
@@ -73,8 +73,8 @@ mod product {
     /// Splits a into two floats of at most 26 bits whose sum is a (Veltkamp).
     #[inline(always)]
     fn split(a: f64) -> (f64, f64) {
-        const FACTOR: f64 = ((1_u32 << 27) + 1) as f64;
-        let spread = FACTOR * a;
+        const SPLIT_FACTOR: f64 = ((1_u32 << 27) + 1) as f64;
+        let spread = SPLIT_FACTOR * a;
         let high = spread - (spread - a);
         (high, a - high)
     }
@@ -83,13 +83,13 @@ mod product {
     /// other factor is scaled up to prevent underflow.
     #[cold]
     #[inline(never)]
-    fn large(a: f64, b: f64) -> (f64, f64) {
-        const DOWN: f64 = f64::from_bits((1023 - 100) << 52);
-        const UP: f64 = f64::from_bits((1023 + 100) << 52);
+    fn scaled_product(a: f64, b: f64) -> (f64, f64) {
+        const SCALE_DOWN: f64 = f64::from_bits((1023 - 100) << 52);
+        const SCALE_UP: f64 = f64::from_bits((1023 + 100) << 52);
         let product = a * b;
         let (a, b) = if a.abs() < b.abs() { (b, a) } else { (a, b) };
-        if b.abs() < LARGE * DOWN {
-            (product, halves(a * DOWN, b * UP).1)
+        if b.abs() < SPLIT_LIMIT * SCALE_DOWN {
+            (product, halves(a * SCALE_DOWN, b * SCALE_UP).1)
         } else {
             // The product is infinite or NaN.
             (product, f64::NAN)

@@ -11,7 +11,7 @@ use super::rows::DigitRow;
 use super::{Digits, Size};
 use crate::scalar::operators;
 
-fn common(mut a: u64, mut b: u64) -> u64 {
+fn binary_gcd(mut a: u64, mut b: u64) -> u64 {
     while b != 0 {
         (a, b) = (b, a % b);
     }
@@ -25,7 +25,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         if self.denominator == other.denominator {
             return Some((self.row(), other.row(), self.denominator));
         }
-        let factor = other.denominator / common(self.denominator, other.denominator);
+        let factor = other.denominator / binary_gcd(self.denominator, other.denominator);
         let all = self.denominator.checked_mul(factor)?;
         let raised = |number: &Self| number.row().times(&integer(all / number.denominator));
         Some((raised(self), raised(other), all))
@@ -68,7 +68,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
 /// Returns a/b for a nonzero divisor. The radius bounds the effect of the remainder.
 fn ratio<const D: usize, const M: usize>(a: &DigitRow<M>, b: &DigitRow<M>) -> Digits<D, M> {
     let (quotient, rest) = a.divided(b);
-    Digits::of(&quotient, 1, (rest.size() + rest.without(usize::MAX)) / b.size())
+    Digits::of(&quotient, 1, (rest.size() + rest.tail_bound(usize::MAX)) / b.size())
 }
 
 fn integer<const M: usize>(n: u64) -> DigitRow<M> {

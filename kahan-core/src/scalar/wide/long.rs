@@ -162,7 +162,7 @@ impl LongNumber {
 
 /// Scales a row of a linear system by a power of two. The largest entry of a column is then a good
 /// pivot.
-pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut LongNumber>, right: &mut LongNumber) {
+pub(crate) fn equilibrate_row<'a>(row: impl Iterator<Item = &'a mut LongNumber>, right: &mut LongNumber) {
     let mut row: std::vec::Vec<_> = row.collect();
     let largest = row.iter().filter(|entry| entry.0.is_some()).map(|entry| entry.at_most());
     let Some(power) = largest.filter(|size| !size.is_unknown()).map(|size| size.exponent).max() else {

@@ -19,7 +19,7 @@ mod tests;
 use num_traits::Zero;
 
 #[cfg(feature = "std")]
-pub(crate) use long::{Capacity, LongNumber, level_row};
+pub(crate) use long::{Capacity, LongNumber, equilibrate_row};
 pub(crate) use size::Size;
 
 use rows::{DigitRow, leading, size_of};
@@ -28,7 +28,7 @@ use rows::{DigitRow, leading, size_of};
 pub(crate) type Wide = Digits<17, 40>;
 
 /// The largest magnitude of a number's exponent to the base 2⁶⁴.
-const FARTHEST: u64 = 1 << 40;
+const MAX_PLACE: u64 = 1 << 40;
 
 /// A number of at most D digits of 64 bits: Σ digit·2^(64·(place − below)) / denominator.
 ///
@@ -70,9 +70,12 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     /// Returns the leading digits of row/denominator. Digits cut off enlarge the radius.
     fn of(row: &DigitRow<M>, denominator: u64, radius: Size) -> Self {
         let Some(&(place, _)) = row.digits().first() else {
-            return Self { radius: radius + row.without(0) / Size::from(denominator as f64), ..Self::ZERO };
+            return Self {
+                radius: radius + row.tail_bound(0) / Size::from(denominator as f64),
+                ..Self::ZERO
+            };
         };
-        if place.unsigned_abs() > FARTHEST {
+        if place.unsigned_abs() > MAX_PLACE {
             return Self::UNDEFINED;
         }
         let mut number = Self { place, denominator, ..Self::ZERO };
@@ -82,7 +85,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
             (number.digits[count], number.below[count]) = (digit, below);
             count += 1;
         }
-        let cut = row.without(count);
+        let cut = row.tail_bound(count);
         let cut = if cut.is_zero() { cut } else { cut / Size::from(denominator as f64) };
         Self { count: count as u16, radius: radius + cut, ..number }
     }

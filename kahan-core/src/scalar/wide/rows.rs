@@ -90,7 +90,7 @@ impl<const M: usize> DigitRow<M> {
 
     /// Returns an upper bound on the value of all digits after the first `kept`, including digits
     /// that were cut off.
-    pub(super) fn without(&self, kept: usize) -> Size {
+    pub(super) fn tail_bound(&self, kept: usize) -> Size {
         self.digits().get(kept).map_or(self.cut, |&digit| self.cut + from_here_on(digit))
     }
 

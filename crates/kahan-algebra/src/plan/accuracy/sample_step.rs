@@ -123,14 +123,14 @@ fn next(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<f64>, x: &[f64], eps: f
             (i, j) = (i + 1, 0);
         }
     }
-    let mut next = solved(round, matrix, n);
+    let mut next = solve_rows(round, matrix, n);
     for (slope, x) in next.iter_mut().zip(x) {
         *slope = round(x + round(2.0 * eps * *slope));
     }
     next
 }
 
-fn solved(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<f64> {
+fn solve_rows(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<f64> {
     let width = n + 1;
     for k in 0..n {
         exchange_pivot_row(rows, k, width);

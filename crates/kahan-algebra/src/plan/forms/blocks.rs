@@ -91,7 +91,7 @@ impl<'a> Blocks<'a> {
 
     /// Returns blocks from which independent states are eliminated first. Returns `None` if a block
     /// is too large.
-    pub(in crate::plan) fn eliminating(&self) -> Option<BlockOrder> {
+    pub(in crate::plan) fn with_elimination(&self) -> Option<BlockOrder> {
         let block = |block: Vec<usize>| {
             let independent = self.structure.independent(&block);
             self.block(&block, independent, |rows| rows).filter(|block| block.operations() <= MOST_OPERATIONS)
@@ -101,7 +101,7 @@ impl<'a> Blocks<'a> {
 
     /// Returns blocks from which no state is eliminated, in up to `orders` orders of rows. Each
     /// block has at most `operations` operations.
-    pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<BlockOrder> {
+    pub(in crate::plan) fn without_elimination(&self, orders: usize, operations: usize) -> Vec<BlockOrder> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {
             let in_order = |mut rows: Vec<Vec<Polynomial>>| {

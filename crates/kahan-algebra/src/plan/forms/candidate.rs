@@ -3,7 +3,7 @@
 use kahan_syntax::table::distinct;
 
 use crate::plan::step::split::{derived_constants, split};
-use crate::plan::writing::nesting::{DERIVED, FormGoal};
+use crate::plan::writing::nesting::{DERIVED_CONSTANT_PRICE, FormGoal};
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
@@ -72,6 +72,6 @@ fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));
     let cost = kernel.cost();
     // A negated numerator costs nothing, because the last addition becomes a subtraction.
-    let operations = cost.operations() - negated.len() + DERIVED * derived;
+    let operations = cost.operations() - negated.len() + DERIVED_CONSTANT_PRICE * derived;
     FormGoal::Early.price(operations, cost.critical_path)
 }

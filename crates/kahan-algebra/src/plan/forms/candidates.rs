@@ -26,19 +26,19 @@ struct WithDenominator {
 }
 
 /// Numerators as products of factors are tried with this many of the cheapest denominators.
-const TRIED: usize = 2;
+const TRIED_DENOMINATORS: usize = 2;
 /// If the factors have more terms in total, only numerators as determinants are tried.
 const FACTOR_TERMS: usize = 32;
 
 /// This many orders of rows are compared for the blocks of a field with few terms.
-const ROTATIONS: usize = 3;
+const ROW_ROTATIONS: usize = 3;
 /// Blocks of larger fields use a single order of rows.
 const COMPARED_TERMS: usize = 60;
 /// Reduced maps with more terms are not written out if another form exists.
 const WRITTEN_TERMS: usize = 120;
 
 /// This many orders of rows are compared for blocks without elimination.
-const ORDERS: usize = 3;
+const ROW_ORDERS: usize = 3;
 
 pub(in crate::plan) struct Forms<'a> {
     pub(in crate::plan) best: Candidate,
@@ -69,8 +69,8 @@ pub(crate) fn forms<'a>(
     let mut candidates: Vec<Candidate> = Vec::new();
     if has_blocks(field, map) {
         let blocks = Blocks::of(field);
-        let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
-        if let Some(eliminating) = blocks.eliminating() {
+        let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROW_ROTATIONS };
+        if let Some(eliminating) = blocks.with_elimination() {
             let empty = Writer::empty(field);
             candidates.extend(empty.iter().flat_map(|empty| blocks.candidates(empty, &eliminating, turns)));
         }
@@ -94,7 +94,7 @@ pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Cand
         return Vec::new();
     }
     let blocks = Blocks::of(field);
-    let orders = blocks.whole(ORDERS, 2 * best.operations);
+    let orders = blocks.without_elimination(ROW_ORDERS, 2 * best.operations);
     let empty = Writer::empty(field);
     let whole =
         empty.iter().flat_map(|empty| orders.iter().flat_map(|order| blocks.candidates(empty, order, 1)));
@@ -120,7 +120,8 @@ impl FactoredMap<'_> {
         let starts = starts.map(|mut start| (start.price(), start));
         let starts = sorted_by_key(starts, |(price, _)| *price);
         let has_determinants = starts.iter().any(|(_, start)| start.numerators.is_some());
-        let mut to_try = if has_determinants && self.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };
+        let mut to_try =
+            if has_determinants && self.factor_terms() > FACTOR_TERMS { 0 } else { TRIED_DENOMINATORS };
         let mut best: Option<Candidate> = None;
         for (_, start) in starts {
             if start.numerators.is_none() {

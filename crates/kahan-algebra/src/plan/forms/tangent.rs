@@ -18,7 +18,7 @@ use crate::plan::forms::candidate::Candidate;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Plan};
 
-const ORDERS: usize = 3;
+const ROW_ORDERS: usize = 3;
 /// If a plan needs more operations, a second step from x + δv with a small δ is as cheap.
 const MOST_OPERATIONS: usize = 300;
 
@@ -34,8 +34,8 @@ pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
         });
         forms.min_by_key(|form| (form.operations, form.price)).map(|form| carried(form, variational))
     };
-    let eliminating = cheapest(blocks.eliminating().as_slice(), ORDERS);
-    let whole = cheapest(&blocks.whole(ORDERS, MOST_OPERATIONS), 1);
+    let eliminating = cheapest(blocks.with_elimination().as_slice(), ROW_ORDERS);
+    let whole = cheapest(&blocks.without_elimination(ROW_ORDERS, MOST_OPERATIONS), 1);
     let forms = [eliminating, whole].into_iter().flatten();
     let cheap_first = sorted_by_key(forms, |form| form.cost().operations());
     cheap_first.into_iter().find(|form| accuracy.keeps_tangents(form))

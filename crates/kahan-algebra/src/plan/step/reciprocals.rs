@@ -12,7 +12,8 @@ use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
 #[must_use]
 pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     let plan = &kernel.plan;
-    let first = |reciprocal: Option<&Node>| reciprocal.and_then(|reciprocal| base(plan, *reciprocal));
+    let first =
+        |reciprocal: Option<&Node>| reciprocal.and_then(|reciprocal| first_division(plan, *reciprocal));
     let bases: Vec<Option<Node>> =
         kernel.factors(&plan.outputs).map(|(_, reciprocal)| first(reciprocal)).collect();
     let votes = |of: Node| {
@@ -53,16 +54,16 @@ pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
 }
 
 pub(in crate::plan) fn is_reciprocal(plan: &Plan, node: Node) -> bool {
-    base(plan, node).is_some()
+    first_division(plan, node).is_some()
 }
 
 /// Returns the division c/d of a reciprocal c/d or c/d/d′.
-fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
+fn first_division(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     if dividend_of(kernel, reciprocal).is_some() {
         return Some(reciprocal);
     }
     match kernel.operations[reciprocal.0] {
-        Operation::Divide(dividend, _) => base(kernel, dividend),
+        Operation::Divide(dividend, _) => first_division(kernel, dividend),
         _ => None,
     }
 }

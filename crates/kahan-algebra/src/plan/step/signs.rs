@@ -7,7 +7,7 @@
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
 /// The cost of a negated result. A subtraction costs 1.
-const NEGATION: usize = 4;
+const NEGATION_COST: usize = 4;
 
 const ROUNDS: usize = 4;
 
@@ -16,7 +16,7 @@ const ROUNDS: usize = 4;
 /// and each subtraction.
 #[must_use]
 pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
-    let search = Search::new(&constants, &kernel);
+    let search = SignSearch::new(&constants, &kernel);
     if search.prepared.iter().all(Option::is_none) {
         return (constants, kernel);
     }
@@ -30,12 +30,12 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan)
     if !turned.contains(&true) || !is_no_worse {
         return (constants, kernel);
     }
-    (turn_constants(&constants, &turned), rebuilt)
+    (negate_constants(&constants, &turned), rebuilt)
 }
 
 /// A search over the signs of prepared differences and of sums with mixed signs. A choice is a list
 /// of flags for the operations.
-struct Search<'a> {
+struct SignSearch<'a> {
     kernel: &'a Plan,
     /// The node of each prepared difference in the kernel.
     prepared: Vec<Option<Node>>,
@@ -51,7 +51,7 @@ struct Signs {
     cost: usize,
 }
 
-impl<'a> Search<'a> {
+impl<'a> SignSearch<'a> {
     fn new(constants: &Plan, kernel: &'a Plan) -> Self {
         let mut prepared = vec![None; constants.outputs.len()];
         let mut is_free = vec![false; kernel.operations.len()];
@@ -64,7 +64,7 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        Search { kernel, prepared, is_free }
+        SignSearch { kernel, prepared, is_free }
     }
 
     /// Returns the best choice that [`Self::locally_improved`] finds from several starts. In some
@@ -157,7 +157,8 @@ impl<'a> Search<'a> {
             signs.negative.push(negative);
             signs.is_choice.push(is_choice);
         }
-        signs.cost += NEGATION * self.kernel.outputs.iter().filter(|output| signs.negative[output.0]).count();
+        signs.cost +=
+            NEGATION_COST * self.kernel.outputs.iter().filter(|output| signs.negative[output.0]).count();
         signs
     }
 
@@ -211,7 +212,7 @@ fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     }
 }
 
-fn turn_constants(constants: &Plan, turned: &[bool]) -> Plan {
+fn negate_constants(constants: &Plan, turned: &[bool]) -> Plan {
     let mut builder = PlanBuilder::default();
     let all = builder.include_all(&constants.operations);
     let output = |(output, turned): (&Node, &bool)| match constants.operations[output.0] {

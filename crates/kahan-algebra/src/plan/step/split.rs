@@ -36,7 +36,7 @@ pub(in crate::plan) fn split(
 
 /// Splits a plan like `split`, and also prepares quotients without states.
 #[must_use]
-pub(crate) fn separated(plan: &Plan, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
+pub(crate) fn split_with_quotients(plan: &Plan, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
     split_where(plan, |_| true, varies)
 }
 

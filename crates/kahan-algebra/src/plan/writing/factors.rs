@@ -6,8 +6,8 @@ use kahan_syntax::rational::Rational;
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 
 /// Polynomials stay unfactored beyond this much work.
-const WORK: u64 = 20_000;
-const TERMS: usize = 60;
+const FACTORING_WORK: u64 = 20_000;
+const MAX_FACTORED_TERMS: usize = 60;
 /// Discriminants of longer polynomials are not computed.
 const QUADRATIC_TERMS: usize = 16;
 
@@ -35,29 +35,32 @@ impl Factored {
 }
 
 pub(in crate::plan) fn factored(polynomials: &[&Polynomial]) -> Vec<Factored> {
-    let base = base(polynomials);
+    let base = coprime_base(polynomials);
     polynomials.iter().map(|polynomial| over_base(polynomial, &base)).collect()
 }
 
 /// Returns pairwise coprime polynomials. The given polynomials are products of their powers, up to
 /// monomials and constants.
-fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
-    let mut budget = Budget::new(TERMS * TERMS, WORK);
-    let mut waiting: Vec<Polynomial> = polynomials.iter().map(|polynomial| core(polynomial)).collect();
+fn coprime_base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
+    let mut budget = Budget::new(MAX_FACTORED_TERMS * MAX_FACTORED_TERMS, FACTORING_WORK);
+    let mut waiting: Vec<Polynomial> =
+        polynomials.iter().map(|polynomial| primitive_core(polynomial)).collect();
     let mut base: Vec<Polynomial> = Vec::new();
     while let Some(next) = waiting.pop() {
         if next.as_constant().is_some() || base.contains(&next) {
             continue;
         }
         let mut shared = base.iter().enumerate();
-        let shared = shared.find_map(|(index, known)| Some((index, common(known, &next, &mut budget)?)));
+        let shared =
+            shared.find_map(|(index, known)| Some((index, common_factor(known, &next, &mut budget)?)));
         match shared {
             Some((index, factor)) => {
                 let known = base.remove(index);
                 waiting.extend(split_off(&known, factor.clone()));
                 waiting.extend(split_off(&next, factor));
             }
-            None => match content(&next, &mut budget).or_else(|| quadratic_factor(&next, &mut budget)) {
+            None => match content_factor(&next, &mut budget).or_else(|| quadratic_factor(&next, &mut budget))
+            {
                 Some(factor) => waiting.extend(split_off(&next, factor)),
                 None => base.push(next),
             },
@@ -67,25 +70,25 @@ fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
 }
 
 /// Divides by common coefficients and monomials, and makes the leading coefficient positive.
-fn core(polynomial: &Polynomial) -> Polynomial {
+fn primitive_core(polynomial: &Polynomial) -> Polynomial {
     polynomial.div_monomial(&polynomial.monomial_content()).expect("all terms have it").primitive_part()
 }
 
 fn split_off(polynomial: &Polynomial, factor: Polynomial) -> [Polynomial; 2] {
     let quotient = polynomial.checked_div(&factor).expect("a factor divides");
-    [core(&quotient), core(&factor)]
+    [primitive_core(&quotient), primitive_core(&factor)]
 }
 
-fn common(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
-    if a.len().max(b.len()) > TERMS {
+fn common_factor(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
+    if a.len().max(b.len()) > MAX_FACTORED_TERMS {
         return None;
     }
-    gcd_within(a, b, budget).ok().map(|gcd| core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
+    gcd_within(a, b, budget).ok().map(|gcd| primitive_core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
 /// Returns the gcd of the coefficients of the powers of some variable, unless it is constant.
-fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
-    if polynomial.len() > TERMS || polynomial.len() < 4 {
+fn content_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
+    if polynomial.len() > MAX_FACTORED_TERMS || polynomial.len() < 4 {
         return None;
     }
     polynomial.variables().into_iter().find_map(|variable| {
@@ -94,7 +97,7 @@ fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
         if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
             return None;
         }
-        let content = core(&gcd_all_within(&coefficients, budget).ok()?);
+        let content = primitive_core(&gcd_all_within(&coefficients, budget).ok()?);
         (content.as_constant().is_none() && content != *polynomial).then_some(content)
     })
 }
@@ -115,7 +118,7 @@ fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Poly
         let discriminant = &(&b * &b) - &(&a * &c).scale(&Rational::from(4));
         let root = discriminant.square_root()?;
         let twice = (&a * &Polynomial::variable(variable)).scale(&Rational::from(2));
-        common(polynomial, &(&(&twice + &b) - &root), budget).filter(|factor| factor != polynomial)
+        common_factor(polynomial, &(&(&twice + &b) - &root), budget).filter(|factor| factor != polynomial)
     })
 }
 

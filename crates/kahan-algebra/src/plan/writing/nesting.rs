@@ -20,7 +20,7 @@ use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
 /// In longer polynomials, the most frequent variable is factored out.
-const COMPARED: usize = 12;
+const MAX_COMPARED_TERMS: usize = 12;
 
 const MOST_LOOKED_AT: usize = 1_000_000;
 
@@ -124,25 +124,25 @@ impl Nesting {
     fn compare(&self, polynomial: &Polynomial) -> Estimate {
         self.looked_at.set(self.looked_at.get() + polynomial.len());
         if self.looked_at.get() > MOST_LOOKED_AT {
-            return self.grouped(polynomial);
+            return self.estimate_grouped(polynomial);
         }
         let candidates = self.candidates(polynomial);
-        let mut best = if candidates.is_empty() || polynomial.len() <= COMPARED {
-            Some(self.flat(polynomial))
+        let mut best = if candidates.is_empty() || polynomial.len() <= MAX_COMPARED_TERMS {
+            Some(self.estimate_flat(polynomial))
         } else {
             None
         };
         for variable in candidates {
-            let estimate = self.nested(polynomial, variable);
+            let estimate = self.estimate_nested(polynomial, variable);
             if best.as_ref().is_none_or(|best| self.price(&estimate) < self.price(best)) {
                 best = Some(estimate);
             }
         }
-        best.unwrap_or_else(|| self.flat(polynomial))
+        best.unwrap_or_else(|| self.estimate_flat(polynomial))
     }
 
     fn price(&self, estimate: &Estimate) -> u64 {
-        self.goal.price(estimate.operations, gathered(&estimate.summands))
+        self.goal.price(estimate.operations, sum_ready(&estimate.summands))
     }
 
     /// Returns the variables in at least two terms. For long polynomials, returns only the most
@@ -151,7 +151,7 @@ impl Nesting {
         let counts = polynomial.frequencies().into_iter();
         let counts = counts.filter(|&(variable, count)| count > 1 && self.may_be_out(variable));
         let mut counts = sorted_by_key(counts, |&(variable, count)| (Reverse(count), variable));
-        if polynomial.len() > COMPARED {
+        if polynomial.len() > MAX_COMPARED_TERMS {
             counts.truncate(1);
         }
         counts.into_iter().map(|(variable, _)| variable).collect()
@@ -163,7 +163,7 @@ impl Nesting {
     }
 
     /// Estimates the form that adds term by term. Terms without states are one prepared summand.
-    fn flat(&self, polynomial: &Polynomial) -> Estimate {
+    fn estimate_flat(&self, polynomial: &Polynomial) -> Estimate {
         let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: SumForm::Flat };
         let mut has_fixed = false;
         for (monomial, coefficient) in polynomial.terms() {
@@ -195,15 +195,15 @@ impl Nesting {
             coefficient.is_one() || (-coefficient).is_one() || (is_scaled && is_power_of_two(coefficient));
         if factors.is_empty() {
             let is_derived = !self.scaling.folds && monomial.exponent(INVERSE_STEP) > 1;
-            return (if is_derived { DERIVED } else { 0 }, 0);
+            return (if is_derived { DERIVED_CONSTANT_PRICE } else { 0 }, 0);
         }
         if has_fixed || !free {
             factors.push(0);
         }
-        (factors.len() - 1, multiplied(factors))
+        (factors.len() - 1, product_ready(factors))
     }
 
-    fn nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
+    fn estimate_nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
         let (quotient, rest) = polynomial.clone().split_at(variable);
         let (product, mut operations, ready) = self.product(variable, quotient);
         let mut summands = vec![ready];
@@ -217,9 +217,9 @@ impl Nesting {
         Estimate { operations, summands, form: SumForm::Nested(product, Some((rest, own))) }
     }
 
-    fn grouped(&self, polynomial: &Polynomial) -> Estimate {
+    fn estimate_grouped(&self, polynomial: &Polynomial) -> Estimate {
         let (products, rest) = by_frequency(polynomial, |variable| self.may_be_out(variable));
-        let flat = self.flat(&rest);
+        let flat = self.estimate_flat(&rest);
         let mut own: Vec<Summand> = terms_of(&rest).collect();
         let Estimate { mut operations, mut summands, .. } = flat;
         for (variable, quotient) in products {
@@ -246,7 +246,7 @@ impl Nesting {
         let inner = Rc::new(inner);
         let (operations, factor_ready) = self.term(&monomial, &content);
         let quotient = self.estimate(&inner);
-        let ready = factor_ready.max(gathered(&quotient.summands)) + MULTIPLY;
+        let ready = factor_ready.max(sum_ready(&quotient.summands)) + MULTIPLY;
         (Summand::Product(monomial, content, inner), operations + quotient.operations + 1, ready)
     }
 }
@@ -256,21 +256,21 @@ fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
 }
 
 /// A prepared constant that is rounded twice costs as much as this many operations.
-pub(in crate::plan) const DERIVED: usize = 3;
+pub(in crate::plan) const DERIVED_CONSTANT_PRICE: usize = 3;
 
 /// Returns the cycle when a sum is ready. Early values are added first.
-fn gathered(ready: &[u32]) -> u32 {
-    combined(ready.to_vec(), ADD)
+fn sum_ready(ready: &[u32]) -> u32 {
+    combined_ready(ready.to_vec(), ADD)
 }
 
 /// Returns the cycle when a product is ready. Early values are multiplied first.
-fn multiplied(ready: Vec<u32>) -> u32 {
-    combined(ready, MULTIPLY)
+fn product_ready(ready: Vec<u32>) -> u32 {
+    combined_ready(ready, MULTIPLY)
 }
 
 /// Returns the cycle when a single value is left. Each operation takes `latency` cycles and
 /// combines the two earliest values.
-fn combined(all: Vec<u32>, latency: u32) -> u32 {
+fn combined_ready(all: Vec<u32>, latency: u32) -> u32 {
     let mut ready = sorted_by_key(all, |at| Reverse(*at));
     while let [.., later, _] = ready[..] {
         ready.truncate(ready.len() - 2);

@@ -12,11 +12,11 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use kahan_program::cost::{DIVIDE, MULTIPLY};
 
-const COEFFICIENTS: u16 = 1 << 15;
+const FIRST_COEFFICIENT: u16 = 1 << 15;
 /// The variable that names 1/(2ε) in all forms.
-pub(in crate::plan) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
+pub(in crate::plan) const INVERSE_STEP: Variable = Variable(FIRST_COEFFICIENT - 1);
 /// The approximate cycle when the image of a state is ready. A division comes before it.
-const LATE: u32 = 2 * DIVIDE;
+const STATE_IMAGE_CYCLE: u32 = 2 * DIVIDE;
 
 /// The symbols of a term that are multiplied by its powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +56,7 @@ impl Scaling {
     }
 
     pub(in crate::plan) fn coefficient(&self, k: usize) -> Variable {
-        Variable(COEFFICIENTS + u16::try_from(k).expect("few coefficients are gathered"))
+        Variable(FIRST_COEFFICIENT + u16::try_from(k).expect("few coefficients are gathered"))
     }
 
     pub(in crate::plan) fn scaled(&self, symbol: Variable) -> Variable {
@@ -79,7 +79,7 @@ impl Scaling {
         if (symbol as usize) < self.states {
             Some(scaling)
         } else if symbol > self.epsilon.0 {
-            Some(LATE + scaling)
+            Some(STATE_IMAGE_CYCLE + scaling)
         } else {
             None
         }
@@ -87,7 +87,7 @@ impl Scaling {
 
     /// Returns all distinct ways to multiply the powers of ε in a polynomial into the states and
     /// parameters of its terms.
-    pub(in crate::plan) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
+    pub(in crate::plan) fn eps_distributions(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
         if !polynomial.contains(self.epsilon) {
             return vec![polynomial.clone()];
         }

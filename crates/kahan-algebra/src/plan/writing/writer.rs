@@ -21,10 +21,10 @@ use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
 /// In longer polynomials, multiples of sums are not sought, because the search has quadratic cost.
-const REUSED: usize = 24;
+const MAX_REUSE_TERMS: usize = 24;
 
 /// From sums of at most this many terms, common constants are not factored out.
-const SHARED: usize = 3;
+const MAX_UNFACTORED_TERMS: usize = 3;
 
 /// An entry of a matrix as a written value, and as a polynomial if it is known.
 #[derive(Clone, Debug)]
@@ -141,7 +141,7 @@ impl Writer {
     }
 
     pub(in crate::plan) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
-        let gathered = self.gathered(polynomial);
+        let gathered = self.gather_coefficients(polynomial);
         let (sign, positive) = normalised(gathered.as_ref().unwrap_or(polynomial));
         self.made.find(&positive).map(|number| self.steps[number].flipped(sign))
     }
@@ -163,7 +163,7 @@ impl Writer {
     }
 
     fn write_new(&mut self, polynomial: &Rc<Polynomial>, goal: FormGoal) -> Signed {
-        if let Some(gathered) = self.gathered(polynomial) {
+        if let Some(gathered) = self.gather_coefficients(polynomial) {
             return self.write(&gathered, goal);
         }
         if let Some(value) = polynomial.as_constant() {
@@ -176,7 +176,7 @@ impl Writer {
         }
         if !common.is_one() || !content.is_one() {
             let inner = polynomial.div_monomial(&common).expect("all terms have it").primitive_part();
-            if goal == FormGoal::Few && inner.len() <= SHARED && self.has_constant(&common) {
+            if goal == FormGoal::Few && inner.len() <= MAX_UNFACTORED_TERMS && self.has_constant(&common) {
                 let write = |writer: &mut Self, is_product: &bool| match is_product {
                     true => writer.multiple(&common, &content, &inner, goal),
                     false => writer.write_flat(polynomial),
@@ -186,7 +186,7 @@ impl Writer {
             return self.multiple(&common, &content, &inner, goal);
         }
         if goal == FormGoal::Few
-            && polynomial.len() <= REUSED
+            && polynomial.len() <= MAX_REUSE_TERMS
             && let Some(written) = self.write_reusing(polynomial)
         {
             return written;

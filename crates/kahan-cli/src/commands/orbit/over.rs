@@ -9,7 +9,7 @@ use super::{Orbit, Question};
 use crate::printing::{Answer, UsageError};
 use crate::reading;
 
-struct Combinations<'a> {
+struct AxisCombinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
@@ -31,7 +31,7 @@ impl Orbit {
                 return Err(StudyError::AxisTwice { name: name.clone() }.into());
             }
         }
-        let mut all = Combinations::of(&study, &axes)?;
+        let mut all = AxisCombinations::of(&study, &axes)?;
         let asked = |start: &[Rational], values: &[Rational]| -> Result<Question, StudyError> {
             let (mut at, mut eps) = (start.to_vec(), eps.clone());
             for (axis, value) in axes.iter().zip(values) {
@@ -48,7 +48,7 @@ impl Orbit {
         for index in 0..all.count {
             let study = all.study(index)?;
             asked(&starts[0], &all.values(index))?.begin(&study)?;
-            if index < KEPT {
+            if index < CACHED_COMBINATIONS {
                 all.few.push(study);
             }
         }
@@ -88,11 +88,11 @@ impl Orbit {
     }
 }
 
-impl<'a> Combinations<'a> {
+impl<'a> AxisCombinations<'a> {
     fn of(study: &'a Study, axes: &'a [Axis]) -> Result<Self, StudyError> {
         let count = axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.range.count()));
         let count = count.filter(|count| *count <= MOST).ok_or(StudyError::ManyPoints { most: MOST })?;
-        Ok(Combinations { study, axes, count, few: Vec::new() })
+        Ok(AxisCombinations { study, axes, count, few: Vec::new() })
     }
 
     fn values(&self, index: usize) -> Vec<Rational> {
@@ -127,4 +127,4 @@ impl<'a> Combinations<'a> {
 const MOST: usize = 1 << 20;
 
 /// The number of combinations whose maps are cached.
-const KEPT: usize = 1024;
+const CACHED_COMBINATIONS: usize = 1024;

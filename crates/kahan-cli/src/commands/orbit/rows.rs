@@ -26,7 +26,7 @@ impl Orbit {
             Ok(stops) => stops,
             // If the reader closes the pipe, the table ends without an error.
             Err(WriteError::ReaderGone) => Vec::new(),
-            Err(WriteError::Failed(why)) => return Ok(Answer::text(String::new()).but(Some(why))),
+            Err(WriteError::Failed(why)) => return Ok(Answer::text(String::new()).with_complaint(Some(why))),
         };
         // If a file holds the rows, the answer describes the file.
         let answer = match file {
@@ -40,7 +40,7 @@ impl Orbit {
         if let Some(note) = stops.iter().find_map(|ending| ending.note.as_ref()) {
             warn(&format!("{note}; `kahan trade` measures which eps resolves them"));
         }
-        Ok(answer.but(complaint(&stops)))
+        Ok(answer.with_complaint(complaint(&stops)))
     }
 
     fn write_into<O>(
@@ -60,7 +60,7 @@ impl Orbit {
             table.begin_orbit(place);
             let ending = fill(orbit, &mut table, &prompt)?;
             table.written()?;
-            prompt.done(steps);
+            prompt.show_steps(steps);
             stops.push(ending);
         }
         table.end(&ended(&stops))?;

@@ -62,10 +62,10 @@ pub(super) struct Subject<'a> {
 
 const SECONDS: f64 = 10.0;
 const STARTS: usize = 5;
-const SEARCH: f64 = 0.35;
-const POLES: f64 = 0.1;
-const HEIGHTS: f64 = 0.06;
-const TRADE: f64 = 0.25;
+const SEARCH_SHARE: f64 = 0.35;
+const POLES_SHARE: f64 = 0.1;
+const HEIGHTS_SHARE: f64 = 0.06;
+const TRADE_SHARE: f64 = 0.25;
 
 impl Subject<'_> {
     fn one_orbit(&self, steps: u64) -> PictureRequest {
@@ -86,15 +86,15 @@ impl Subject<'_> {
     pub(super) fn search(&self) -> AnsweredQuestion {
         // With a fixed degree, the result does not depend on the speed of the machine.
         let degree = Some(default_degree(self.generic.study.variables().len()));
-        let asked = Discover { degree, seconds: self.share(SEARCH), ..Discover::default() };
+        let asked = Discover { degree, seconds: self.share(SEARCH_SHARE), ..Discover::default() };
         AnsweredQuestion::of(self.generic, Question::Discover(asked))
     }
 
     pub(super) fn growth(&self) -> Markup {
-        let poles = Poles { seconds: self.share(POLES), ..Poles::default() };
+        let poles = Poles { seconds: self.share(POLES_SHARE), ..Poles::default() };
         let heights = PictureRequest {
             what: PictureContent::Heights,
-            seconds: self.share(HEIGHTS),
+            seconds: self.share(HEIGHTS_SHARE),
             ..self.one_orbit(400)
         };
         html! {
@@ -164,7 +164,7 @@ impl Subject<'_> {
         const STEPS: f64 = 400.0;
         let horizon = Rational::parse(&decimal(2.0 * self.shown.eps.to_f64() * STEPS));
         let asked = Trade::new(self.shown.start.clone(), horizon.expect("a printed number is one"));
-        let asked = Trade { seconds: self.share(TRADE), ..asked };
+        let asked = Trade { seconds: self.share(TRADE_SHARE), ..asked };
         let asked = AnsweredQuestion::of(self.kept, Question::Trade(asked));
         AnsweredQuestion { line: asked.line.with("--out", "trade.svg"), ..asked }.html()
     }
@@ -210,7 +210,7 @@ impl Subject<'_> {
         let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
             let (start, middle) = (start.to_f64(), 0.5 * (low + high));
-            let near = between(start + 0.6 * (middle - start), high - low);
+            let near = rounded_to_unit(start + 0.6 * (middle - start), high - low);
             Rational::parse(&near).expect("a printed number is one")
         });
         let at = vec![StartSpec::Line(start.clone(), nearer.collect())];
@@ -227,7 +227,7 @@ impl Subject<'_> {
         let longest = (0..lengths.len()).max_by(|&i, &j| lengths[i].total_cmp(&lengths[j])).unwrap_or(2);
         let k = if lengths[2] > MOVES * lengths[longest] { 2 } else { longest };
         let [low, high] = self.shown.extremes[k];
-        let (name, middle) = (&self.variables[k], between(0.5 * (low + high), high - low));
+        let (name, middle) = (&self.variables[k], rounded_to_unit(0.5 * (low + high), high - low));
         match middle.strip_prefix('-') {
             Some(size) => format!("{name} + {size}"),
             None if middle == "0" => name.clone(),
@@ -273,13 +273,14 @@ pub(super) fn command(line: &CommandLine) -> Markup {
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
     /// Orbits are called periodic if they cross at each place at least this often, on average.
-    const OFTEN: usize = 10;
+    const PERIODIC_VISITS: usize = 10;
 
     let of =
         |chosen: fn(&OrbitExtent) -> bool| orbits.iter().filter(|visits| chosen(visits)).collect::<Vec<_>>();
     let none = of(|visits| visits.points == 0).len();
     let seldom = of(|visits| (1..PATTERN).contains(&visits.points)).len();
-    let again = of(|visits| visits.points >= PATTERN && visits.points >= OFTEN * visits.places.max(1));
+    let again =
+        of(|visits| visits.points >= PATTERN && visits.points >= PERIODIC_VISITS * visits.places.max(1));
     let again: Vec<_> = again.into_iter().filter(|visits| visits.places <= PATTERN / 2).collect();
     let most = again.iter().map(|visits| visits.places).max().unwrap_or_default();
     let many = orbits.len() - none - seldom - again.len();
@@ -303,7 +304,7 @@ fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
 }
 
 /// Rounds to a multiple of the largest power of ten below a hundredth of `length`.
-fn between(value: f64, length: f64) -> String {
+fn rounded_to_unit(value: f64, length: f64) -> String {
     let unit = libm::exp10(libm::log10(length / 100.0).floor());
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };
     decimal(rounded)

@@ -23,7 +23,7 @@ impl Page {
         let Some(start) = study.lift_start().filter(|_| study.start().is_none()) else {
             return Ok(as_given);
         };
-        let texts = block.beginning_at(study.coordinates(), &start);
+        let texts = block.with_start(study.coordinates(), &start);
         let begun = texts.into_iter().find_map(|text| {
             let begun = Block::of_text(text.clone(), "--field".to_owned());
             let source = self.source.clone().with_text(text);

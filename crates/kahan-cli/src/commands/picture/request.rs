@@ -198,7 +198,7 @@ impl PictureRequest {
     }
 
     /// Calls `ask` for each start while time remains. Also returns whether time ran out.
-    fn each<A>(
+    fn ask_each<A>(
         &self,
         starts: &[Vec<Rational>],
         steps: u64,
@@ -213,7 +213,7 @@ impl PictureRequest {
                 break;
             }
             found.push(ask(at.clone(), &prompt)?);
-            prompt.done(steps);
+            prompt.show_steps(steps);
         }
         Ok((found, prompt.is_over()))
     }
@@ -229,7 +229,7 @@ impl PictureRequest {
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len(), section.and_then(|asked| asked.crossings).unwrap_or(self.steps))?;
-        let (traced, is_over) = self.each(&starts, self.steps, |at, prompt| {
+        let (traced, is_over) = self.ask_each(&starts, self.steps, |at, prompt| {
             let Some(section) = section else {
                 let mut trace = Trace::new(&axes);
                 let asked = Orbit { reembed: self.reembed, ..Orbit::new(eps.clone(), at, self.steps) };
@@ -269,7 +269,7 @@ impl PictureRequest {
         let each = asked.transient.saturating_add(self.steps);
         let steps = each.saturating_mul(values as u64);
         let variable = self.names(study)?.pop();
-        let (found, _) = self.each(&starts, steps, |at, prompt| {
+        let (found, _) = self.ask_each(&starts, steps, |at, prompt| {
             let (eps, variable, reembed) = (self.eps.clone(), variable.clone(), self.reembed);
             Diagram { eps, at, variable, reembed, ..asked.clone() }.ask(study, prompt)
         })?;

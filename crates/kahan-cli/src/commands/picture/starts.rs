@@ -70,11 +70,11 @@ impl StartSpread {
     /// Draws random points in a cube around a point.
     fn around(&self, middle: &[Rational], count: usize, random: &mut SplitMix64) -> Vec<Vec<Rational>> {
         /// Random coordinates are multiples of the radius divided by this number.
-        const PARTS: i64 = 1 << 20;
+        const COORDINATE_DENOMINATOR: i64 = 1 << 20;
 
-        let part = self.radius.checked_div(&Rational::from(PARTS)).expect("there are parts");
+        let part = self.radius.checked_div(&Rational::from(COORDINATE_DENOMINATOR)).expect("there are parts");
         let mut near = |value: &Rational| {
-            let drawn = random.below(2 * PARTS as u64 + 1) as i64 - PARTS;
+            let drawn = random.below(2 * COORDINATE_DENOMINATOR as u64 + 1) as i64 - COORDINATE_DENOMINATOR;
             value + &(&part * &Rational::from(drawn))
         };
         (0..count).map(|_| middle.iter().map(&mut near).collect()).collect()

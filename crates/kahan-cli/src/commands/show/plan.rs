@@ -53,7 +53,7 @@ pub(super) fn text(planned: &ShownPlans) -> String {
     }
     if let Some(general) = &planned.general_step {
         page.line("");
-        page.prose(GENERAL);
+        page.prose(GENERAL_STEP_NOTE);
         step_section(&mut page, "general step", general);
     }
     page.text
@@ -69,7 +69,7 @@ fn label(planned: &ShownPlans, name: &str) -> String {
     counted.map_or_else(|| name.to_owned(), |step| format!("{name} ({})", step.constants.outputs.len()))
 }
 
-const GENERAL: &str = "This step is divided by the time step, which shortens the way from a state to the next. Floats take \
+const GENERAL_STEP_NOTE: &str = "This step is divided by the time step, which shortens the way from a state to the next. Floats take \
     it where eps is from 2^-64 to 2^64 in size (f32: 2^-16 to 2^16). All else takes the general step, which divides by no eps: \
     exact and wider numbers, the lanes of ensembles, Jacobians, and floats at any other eps.";
 

@@ -41,7 +41,7 @@ pub(super) fn text(sheet: &FormulaSheet) -> String {
     }
     match &sheet.map {
         Some(map) => page.section("map, over its common denominator in lowest terms", equations("~", map)),
-        None => page.section("map", [MINORS]),
+        None => page.section("map", [MINORS_NOTE]),
     }
     if let Some(factor) = &sheet.removed_factor {
         page.section("divided out of N and D (a removable pole where it vanishes)", [factor]);
@@ -56,7 +56,7 @@ pub(super) fn text(sheet: &FormulaSheet) -> String {
     page.text
 }
 
-const MINORS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by minors of A or by elimination (--plan tells); det A = 0 counts as a pole";
+const MINORS_NOTE: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by minors of A or by elimination (--plan tells); det A = 0 counts as a pole";
 
 fn claim(claim: &ClaimShown) -> String {
     let notes = [claim.nonzero.as_str(), claim.source.unwrap_or_default()];

@@ -14,11 +14,11 @@ use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
 const MOST_GROUPED: usize = 400;
 
-const DEEPEST: usize = 4;
+const MAX_DEPTH: usize = 4;
 
 pub(super) fn grouped(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let writer = Writer { symbols };
-    writer.sum(polynomial, DEEPEST, &mut Budget::new(MOST_TERMS, MOST_WORK / 10))
+    writer.sum(polynomial, MAX_DEPTH, &mut Budget::new(MOST_TERMS, MOST_WORK / 10))
 }
 
 struct Writer<'a> {

@@ -15,7 +15,7 @@ pub(super) struct Scale {
     pub(super) front_below: Monomial,
 }
 
-pub(crate) struct InPowers {
+pub(crate) struct PowerExpansion {
     /// The scaled polynomial, in which the variable `fresh` stands for the base.
     pub(crate) sum: Polynomial,
     pub(crate) fresh: Variable,
@@ -29,7 +29,7 @@ pub(crate) fn in_powers(
     polynomial: &Polynomial,
     base: &Polynomial,
     variable: Variable,
-) -> Option<InPowers> {
+) -> Option<PowerExpansion> {
     let fresh = symbols.variable(Symbol::SecondState(0));
     if base.degree_in(variable) != 1 || polynomial.contains(fresh) {
         return None;
@@ -46,7 +46,7 @@ pub(crate) fn in_powers(
     let shifted = Polynomial::variable(fresh) - rest;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
     let sum = polynomial.homogenised_at(variable, (&shifted, &slope), highest, &mut budget).ok()?;
-    Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
+    Some(PowerExpansion { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
 /// Removes all terms that contain no state, then a common factor. For example, 1 − ε²(x − ay)
@@ -68,7 +68,7 @@ pub(super) fn by_powers(
 ) -> Option<(String, Scale)> {
     let base = without_constant(symbols, base);
     let base = if begins_negative(&base) { -&base } else { base };
-    let InPowers { sum, fresh, scale } = in_powers(symbols, polynomial, &base, variable)?;
+    let PowerExpansion { sum, fresh, scale } = in_powers(symbols, polynomial, &base, variable)?;
     let (factor, coefficient) = scale.leading_term()?;
     if !sum.contains(fresh) {
         return None;

@@ -24,7 +24,7 @@ use crate::maps::search_field::{SampledStep, SearchField};
 use crate::modular::matrix::{Echelon, NullVector};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
-use crate::modular::subspace::scattered;
+use crate::modular::subspace::spread_to_monomials;
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
@@ -143,7 +143,7 @@ impl Basis {
             return None;
         }
         let mut joined = self.clone();
-        joined.join(searched, random);
+        joined.join_terms(searched, random);
         let [below, above] = &joined.terms[..] else { return None };
         let symbols = searched.family().symbols();
         let summand = |&(place, factor): &(usize, i64)| {
@@ -159,7 +159,7 @@ impl Basis {
 
     /// Joins monomials into one term if their coefficients have an integer quotient that is equal
     /// on three orbits.
-    pub(crate) fn join(&mut self, searched: &SearchField, random: &mut SplitMix64) {
+    pub(crate) fn join_terms(&mut self, searched: &SearchField, random: &mut SplitMix64) {
         let mut sampled: Vec<(Modulus, Vec<u64>)> = Vec::new();
         for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
             let found = searched.sample(modulus, random).and_then(|sample| {
@@ -231,7 +231,7 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
 /// Chooses the shortest bases until `wanted` integrals are independent, or no candidate is left.
 /// The integrals whose gradients at the point `place` are in `gradients` are included in this
 /// number. The gradients of the new integrals are appended.
-pub(crate) fn completing(
+pub(crate) fn choose_bases(
     candidates: &[Basis],
     wanted: usize,
     place: &SampledStep,
@@ -263,7 +263,7 @@ pub(crate) fn completing(
 }
 
 /// The number of monomials above which only two orders of the variables are tried.
-const MANY: usize = 250;
+const MANY_MONOMIALS: usize = 250;
 
 /// Returns sets of monomials up to a degree that have one relation, the smallest sets first. In n
 /// variables the cost is 2n + 1 echelon forms of N columns, where N = C(n + degree, n).
@@ -279,7 +279,7 @@ pub(crate) fn candidates(
         return Vec::new();
     };
     let mut found: Vec<Basis> = Vec::new();
-    let most = if monomials.len() > MANY { 2 } else { usize::MAX };
+    let most = if monomials.len() > MANY_MONOMIALS { 2 } else { usize::MAX };
     for order in orders(&monomials, searched.dimension()).into_iter().take(most) {
         if deadline.passed() {
             break;
@@ -332,7 +332,7 @@ fn reduced_in(
     let echelon = Echelon::within(modulus, rows, order.len(), deadline)?;
     let restored = |(row, &pivot): (&Vec<u64>, &usize)| NullVector {
         free: order[order.len() - 1 - pivot],
-        entries: scattered(order.iter().rev(), row, order.len()),
+        entries: spread_to_monomials(order.iter().rev(), row, order.len()),
     };
     Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }

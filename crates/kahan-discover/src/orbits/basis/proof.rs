@@ -82,21 +82,21 @@ impl Basis {
 
 /// Bounds on the degree of a polynomial, and on log₂ of its 1-norm, the sum of |coefficient|.
 #[derive(Clone, Copy)]
-struct Bound {
+struct PolynomialBound {
     degree: u64,
     bits: u64,
 }
 
-fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
+fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Option<PolynomialBound> {
     let (before, after) = halves(basis);
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
     // The bound grows by a bit if the number of rows, or the sum of the factors, doubles.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
-    let mut total = Bound { degree: 0, bits: size * bits };
+    let mut total = PolynomialBound { degree: 0, bits: size * bits };
     for steps in [before, after] {
-        let mut point = Bound { degree: 1, bits: 0 };
+        let mut point = PolynomialBound { degree: 1, bits: 0 };
         for _ in 0..steps {
             point = image(point, field, eps)?;
             total.degree = total.degree.checked_add(point.degree.checked_mul(u64::from(highest))?)?;
@@ -109,7 +109,7 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
 
 /// Bounds numerators and denominator of the image of a point x = X/W, by Cramer's rule for A x̃ =
 /// b.
-fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
+fn image(point: PolynomialBound, field: &Field, eps: Option<&Rational>) -> Option<PolynomialBound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;
     let others = |polynomial: &Polynomial| polynomial.degree_where(|variable| !symbols.is_state(variable));
@@ -119,7 +119,7 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     // Row i of A has at most the 1-norm |qᵢ| + 4 |pᵢ|, where pᵢ/qᵢ is component i of the field,
     // times the size of a fixed ε.
     let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
-    Some(Bound {
+    Some(PolynomialBound {
         degree: degree.checked_mul(n)?,
         bits: point.bits.checked_add(bits)?.checked_mul(n)?.checked_add(n * u64::from(n.ilog2() + 1))?,
     })

@@ -21,7 +21,7 @@ fn found(text: &str, degree: u32, wanted: usize) -> (SearchField, Field, Vec<Bas
     let sample = searched.sample(Modulus::mersenne_61(), &mut random).unwrap();
     let place = sample.step(&mut random).unwrap();
     let all = candidates(&searched, degree, &mut random, &Deadline::never());
-    let bases = completing(&all, wanted, &place, &mut Vec::new(), &Deadline::never());
+    let bases = choose_bases(&all, wanted, &place, &mut Vec::new(), &Deadline::never());
     (searched, field, bases)
 }
 
@@ -134,7 +134,7 @@ fn monomials_with_equal_coefficients_are_joined() {
     let mut texts = Vec::new();
     for mut basis in bases {
         let before = (basis.points(), basis.monomials.clone());
-        basis.join(&searched, &mut SplitMix64::new(2));
+        basis.join_terms(&searched, &mut SplitMix64::new(2));
         assert!(basis.points() <= before.0 && basis.monomials == before.1);
         assert!(prove(&basis, &searched, &field, &Deadline::never()).is_some());
         if let Some(term) = basis.terms.iter().position(|term| term.len() > 1) {

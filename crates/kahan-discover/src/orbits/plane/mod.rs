@@ -33,7 +33,7 @@ pub enum GrowthProof {
 }
 
 /// The numbers k of the iterates to try in turn. The proof needs a degree dₖ > k² + 1.
-const ITERATES: [usize; 4] = [8, 16, 32, 64];
+const TRIED_ITERATES: [usize; 4] = [8, 16, 32, 64];
 
 /// Classifies the growth of the degrees of a sampled map, and proves exponential growth in the
 /// plane.
@@ -73,7 +73,7 @@ pub(crate) fn growth(
         numbered.find(|&(k, degree)| degree > k * k + 1)
     };
     let shows = verdict.growth.entropy() > 0.0;
-    let mut further = ITERATES.iter().filter(|_| shows).filter_map(|&iterates| {
+    let mut further = TRIED_ITERATES.iter().filter(|_| shows).filter_map(|&iterates| {
         let limits = DegreeLimits { iterates, degree: iterates * iterates + 1, deadline };
         exceeding(&degrees::degrees(map, random, limits))
     });

@@ -15,9 +15,9 @@ use crate::modular::modulus::Modulus;
 
 /// The least prime to try. The proof modulo a prime p fails by chance with a probability of about
 /// 3/p.
-const LEAST: u64 = 211;
+const LEAST_PRIME: u64 = 211;
 /// The number of integers from which the search for a prime may start.
-const SPREAD: u64 = 1000;
+const PRIME_SEARCH_RANGE: u64 = 1000;
 
 /// The most samples. One in six has coefficients of all three contracted lines if they are
 /// conjugate.
@@ -42,7 +42,7 @@ pub(super) fn prime_of_stability(
         if deadline.passed() {
             return None;
         }
-        let prime = (LEAST + random.below(SPREAD)..).find_map(PrimeField::new)?;
+        let prime = (LEAST_PRIME + random.below(PRIME_SEARCH_RANGE)..).find_map(PrimeField::new)?;
         let modulus = Modulus::of(prime);
         let unknowns: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
         let plane = Forms { map: searched.at(modulus, &unknowns)? };
@@ -165,7 +165,7 @@ impl Forms {
     }
 
     fn cubic(&self, point: Point) -> u64 {
-        let back = self.forms(self.image(point), self.modulus().opposite(self.map.eps()));
+        let back = self.map_forms(self.image(point), self.modulus().opposite(self.map.eps()));
         let quotients = back.iter().zip(point);
         let mut quotients =
             quotients.filter_map(|(&above, below)| Some((above, self.modulus().inverse(below)?)));
@@ -173,12 +173,12 @@ impl Forms {
     }
 
     fn image(&self, point: Point) -> Point {
-        self.forms(point, self.map.eps())
+        self.map_forms(point, self.map.eps())
     }
 
     /// Returns (adj A · b, det A) for the homogeneous linear system A x̃ = b of the map: A = Z − ε
     /// f′ and b = x + ε Bx + 2ε cZ, where f has the linear part Bx and the constant part c.
-    fn forms(&self, point: Point, eps: u64) -> Point {
+    fn map_forms(&self, point: Point, eps: u64) -> Point {
         let modulus = self.modulus();
         let mut matrix = [[point[2], 0], [0, point[2]]];
         let mut right = [point[0], point[1]];

@@ -24,7 +24,7 @@ const MOST_WORK: u64 = 4_000_000;
 
 /// Computes (I − ε² f′²)K for one constant K of `structure`, if the result is an invariant bracket
 /// modulo a prime.
-pub(crate) fn of_structure(
+pub(crate) fn bracket_of_structure(
     searched: &SearchField,
     field: &Field,
     structure: (usize, &Hamiltonian),

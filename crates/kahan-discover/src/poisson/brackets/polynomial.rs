@@ -21,7 +21,7 @@ use crate::maps::map::ModularMap;
 use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
 use crate::modular::grading::{Grading, reconstruct_graded};
-use crate::modular::matrix::{Echelon, SPARE};
+use crate::modular::matrix::{Echelon, SPARE_EQUATIONS};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::{Form, PolynomialSpace, combination};
@@ -39,7 +39,7 @@ const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 const HIGHEST_BESIDE: u32 = 1;
 
 /// The number of points at which tensors are compared and Jacobi's identity is checked.
-const POINTS: usize = 3;
+const CHECK_POINTS: usize = 3;
 
 /// The most basis elements for which sums of elements are tried.
 const MOST_ELEMENTS: usize = 40;
@@ -147,7 +147,7 @@ pub(crate) fn polynomial_tensors(
     let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return Vec::new() };
     let Some(place) = sample.step(random) else { return Vec::new() };
     let map = &place.sample.map;
-    let points: [Vec<u64>; POINTS] = std::array::from_fn(|_| map.point(random));
+    let points: [Vec<u64>; CHECK_POINTS] = std::array::from_fn(|_| map.point(random));
     let is_full = |rank: usize| rank + 1 >= n;
     let is_known = known.iter().any(|tensor| is_full(tensor.rank));
     let mut found: Vec<Candidate> = Vec::new();
@@ -267,7 +267,7 @@ impl TensorMonomials {
     ) -> Option<Vec<Vec<u64>>> {
         let modulus = map.modulus();
         let mut rows = Vec::new();
-        while rows.len() < support.len() + SPARE {
+        while rows.len() < support.len() + SPARE_EQUATIONS {
             let (point, step) = random_step(map, random)?;
             let jacobian = map.jacobian(&point, &step.next)?;
             let (here, there) =
@@ -296,13 +296,13 @@ impl TensorMonomials {
     fn higher(
         &self,
         map: &ModularMap,
-        points: &[Vec<u64>; POINTS],
+        points: &[Vec<u64>; CHECK_POINTS],
         space: &PolynomialSpace,
         best: usize,
         random: &mut SplitMix64,
     ) -> Vec<Candidate> {
         let modulus = map.modulus();
-        let places = points.each_ref().map(|point| Place::at(self, modulus, point));
+        let places = points.each_ref().map(|point| TensorPoint::at(self, modulus, point));
         let mut generic = vec![0; self.len()];
         for index in 0..space.dimension() {
             let factor = modulus.sample(random);
@@ -327,7 +327,7 @@ impl TensorMonomials {
             .collect();
         elements.sort_by_key(|element| (Reverse(element.rank), element.terms));
         elements.truncate(MOST_ELEMENTS);
-        let candidate = |rank: usize, chosen: &[&Element], sums: &[Tensor; POINTS]| {
+        let candidate = |rank: usize, chosen: &[&Element], sums: &[Tensor; CHECK_POINTS]| {
             let parts = chosen.iter().map(|element| element.part.clone()).collect();
             let values = sums.iter().flat_map(|sum| above(&sum.entries)).collect();
             Candidate { rank, source: Source::Sum(self.monomials.degree(), parts), values }
@@ -344,7 +344,7 @@ impl TensorMonomials {
             found.push(candidate(rank, &chosen, &sums));
             // Linear combinations of brackets are brackets if all sums of two of them are brackets.
             for other in &elements[index + 1..] {
-                let next: [Tensor; POINTS] =
+                let next: [Tensor; CHECK_POINTS] =
                     std::array::from_fn(|k| sums[k].plus(modulus, &other.tensors[k]));
                 let higher = next[0].rank(modulus);
                 if higher > rank && chosen.iter().all(|one| are_compatible(one, other)) {
@@ -359,7 +359,7 @@ impl TensorMonomials {
         found
     }
 
-    fn tensor(&self, modulus: &Modulus, coefficients: &[u64], place: &Place) -> Tensor {
+    fn tensor(&self, modulus: &Modulus, coefficients: &[u64], place: &TensorPoint) -> Tensor {
         let n = place.slopes[0].len();
         let mut tensor = Tensor { entries: vec![vec![0; n]; n], slopes: vec![vec![vec![0; n]; n]; n] };
         for (pair, &(i, j)) in self.pairs.iter().enumerate() {
@@ -432,14 +432,14 @@ impl TensorMonomials {
     }
 }
 
-struct Place {
+struct TensorPoint {
     values: Vec<u64>,
     slopes: Vec<Vec<u64>>,
 }
 
-impl Place {
+impl TensorPoint {
     fn at(shape: &TensorMonomials, modulus: &Modulus, point: &[u64]) -> Self {
-        Place {
+        TensorPoint {
             values: shape.monomials.values(modulus, point),
             slopes: monomial_gradients(modulus, &shape.monomials, point),
         }
@@ -451,7 +451,7 @@ struct Element {
     rank: usize,
     terms: usize,
     part: Vec<u64>,
-    tensors: [Tensor; POINTS],
+    tensors: [Tensor; CHECK_POINTS],
 }
 
 #[derive(Clone)]

@@ -20,17 +20,18 @@ pub(super) const COUNTED: SearchParameters = SearchParameters {
 };
 /// The distance of an orbit in `Dd` from an accurate flow is below the tolerance divided by this
 /// factor.
-pub(in crate::scene) const VOUCHING: f64 = 10.0;
+pub(in crate::scene) const REFERENCE_ACCURACY_FACTOR: f64 = 10.0;
 /// If plain `f64` has too large rounding errors, another scheme gets at most this number of trials.
 const MORE_RUNGS: usize = 5;
 
-pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);
+pub(in crate::scene) const PLAIN_DOUBLE: Scheme = Scheme::of(Precision::Double);
 /// The scheme in `Dd`, where rounding errors are negligible.
-pub(in crate::scene) const WIDE: Scheme = Scheme::of(Precision::DoubleDouble);
+pub(in crate::scene) const PLAIN_DOUBLE_DOUBLE: Scheme = Scheme::of(Precision::DoubleDouble);
 /// The alternatives to plain `f64` for a single orbit. Steps in `f32` would take as long as in
 /// `f64`.
-pub(in crate::scene) const OTHERS: [Scheme; 2] = [WIDE, PLAIN.compensated()];
-pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
+pub(in crate::scene) const ALTERNATIVES_TO_DOUBLE: [Scheme; 2] =
+    [PLAIN_DOUBLE_DOUBLE, PLAIN_DOUBLE.compensated()];
+pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN_DOUBLE.compensated()];
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) enum Verdict {
@@ -61,14 +62,14 @@ impl<L: Trials> Search<L> {
             }
         }
         if self.is_confirmed() {
-            for scheme in [&[PLAIN], others].concat() {
+            for scheme in [&[PLAIN_DOUBLE], others].concat() {
                 for composition in Composition::BEST.into_iter().rev() {
                     self.refine(scheme.composed(composition));
                 }
             }
             if self.is_uneven(0.0) {
                 for composition in Composition::BEST.into_iter().rev() {
-                    self.scan(PLAIN.composed(composition), coarsest);
+                    self.scan(PLAIN_DOUBLE.composed(composition), coarsest);
                 }
             }
         }
@@ -86,10 +87,10 @@ impl<L: Trials> Search<L> {
     /// if rounding errors matter. An independent orbit in `Dd` checks the flow for an accepted
     /// setting.
     fn refine_order(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
-        let climb = self.refine_steps(PLAIN.composed(composition), coarsest);
+        let climb = self.refine_steps(PLAIN_DOUBLE.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
             self.is_rough = true;
-            let from = self.smooth(composition, coarsest);
+            let from = self.steps_with_order_law(composition, coarsest);
             for other in others {
                 self.refine_at_most(other.composed(composition), from, MORE_RUNGS);
             }
@@ -102,7 +103,7 @@ impl<L: Trials> Search<L> {
     /// Returns whether the flow agrees with an orbit in `Dd`, whose rounding errors are
     /// independent.
     fn is_confirmed(&self) -> bool {
-        let vouches = |trial: &Setting| VOUCHING * trial.error <= self.tolerance;
+        let vouches = |trial: &Setting| REFERENCE_ACCURACY_FACTOR * trial.error <= self.tolerance;
         self.tried.iter().any(|trial| trial.scheme.precision == Precision::DoubleDouble && vouches(trial))
     }
 }

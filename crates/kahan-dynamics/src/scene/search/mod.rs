@@ -20,14 +20,16 @@ use super::{Precision, Scheme, Setting};
 
 pub use refinement::RefinementResult;
 
-pub(super) use choose::{OF_DOUBLE, OTHERS, PLAIN, VOUCHING, Verdict, WIDE};
+pub(super) use choose::{
+    ALTERNATIVES_TO_DOUBLE, OF_DOUBLE, PLAIN_DOUBLE, PLAIN_DOUBLE_DOUBLE, REFERENCE_ACCURACY_FACTOR, Verdict,
+};
 
 /// The error above which the orbit has lost the phase of the trajectory.
-const SMALL: f64 = 0.1;
+const PHASE_LOSS_ERROR: f64 = 0.1;
 /// Two errors are treated as equal if the smaller divided by the larger exceeds this.
-const STALL: f64 = 0.7;
+const EQUAL_ERROR_RATIO: f64 = 0.7;
 /// Two numbers of steps are treated as equal if the larger divided by the smaller is below this.
-const CLOSE: f64 = 1.06;
+const EQUAL_STEPS_RATIO: f64 = 1.06;
 const GRID: f64 = 1.1;
 const TRIALS: usize = 5;
 
@@ -156,7 +158,7 @@ impl<L: Trials> Search<L> {
     }
 
     /// Returns the number of steps at which the law error ∝ ε^order predicts this error.
-    fn by_law(trial: &Setting, error: f64) -> f64 {
+    fn steps_by_order_law(trial: &Setting, error: f64) -> f64 {
         trial.steps as f64 * libm::pow(trial.error / error, 1.0 / f64::from(trial.scheme.order()))
     }
 
@@ -164,12 +166,12 @@ impl<L: Trials> Search<L> {
     /// stiff motions, steps of some sizes meet poles.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
-        let plain = |trial: &&Setting| trial.scheme == PLAIN.composed(trial.scheme.composition);
+        let plain = |trial: &&Setting| trial.scheme == PLAIN_DOUBLE.composed(trial.scheme.composition);
         let is_worse = |coarse: &Setting, fine: &Setting| {
             coarse.scheme == fine.scheme
                 && coarse.steps < fine.steps
-                && (roundings..SMALL).contains(&coarse.error)
-                && coarse.error < STALL * fine.error
+                && (roundings..PHASE_LOSS_ERROR).contains(&coarse.error)
+                && coarse.error < EQUAL_ERROR_RATIO * fine.error
         };
         let mut coarse = self.tried.iter().filter(plain);
         !self.is_rough && coarse.any(|coarse| self.tried.iter().any(|fine| is_worse(coarse, fine)))
@@ -178,7 +180,7 @@ impl<L: Trials> Search<L> {
     /// Tries all step sizes on a geometric grid that cost less than the best setting.
     pub fn scan(&mut self, scheme: Scheme, coarsest: u64) {
         let mut steps = coarsest;
-        while CLOSE * self.cost(scheme, steps as f64) < self.least_cost()
+        while EQUAL_STEPS_RATIO * self.cost(scheme, steps as f64) < self.least_cost()
             && self.trial(scheme, steps, self.rules.share).is_some()
         {
             steps = (GRID * steps as f64).ceil() as u64;
@@ -198,11 +200,11 @@ impl<L: Trials> Search<L> {
             let Some(last) = last.copied() else { return };
             let low = last.steps as f64;
             let SearchParameters { enough, aim, surplus, .. } = self.rules;
-            let guess = match surplus * Self::by_law(&last, aim * enough * self.tolerance) {
+            let guess = match surplus * Self::steps_by_order_law(&last, aim * enough * self.tolerance) {
                 guess if guess.is_finite() => guess,
                 _ => (low * dearest).sqrt(),
             };
-            if dearest / low < CLOSE || guess >= CLOSE * dearest {
+            if dearest / low < EQUAL_STEPS_RATIO || guess >= EQUAL_STEPS_RATIO * dearest {
                 return;
             }
             let steps = (guess.clamp(1.02 * low, 0.98 * dearest).round() as u64).max(last.steps + 1);

@@ -5,24 +5,26 @@
 
 use kahan_core::Composition;
 
-use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
+use super::{
+    EQUAL_ERROR_RATIO, PHASE_LOSS_ERROR, PLAIN_DOUBLE, PLAIN_DOUBLE_DOUBLE, Scheme, Search, Setting, Trials,
+};
 
 /// The gain of a trial is the previous error divided by its error. The logarithm of a gain may
 /// deviate from the law error ∝ ε^order by this fraction.
-const LAWFUL: f64 = 0.3;
+const ORDER_LAW_TOLERANCE: f64 = 0.3;
 /// The error below which the law error ∝ ε^order is trusted.
-const USEFUL: f64 = 0.01;
+const ORDER_LAW_ERROR: f64 = 0.01;
 /// After this number of successive trials without gain, the search tests whether rounding errors
 /// are the reason.
-const STALLS: u32 = 2;
+const STALLS_BEFORE_CHECK: u32 = 2;
 /// A trial is without gain if the logarithm of its gain is below this fraction of the predicted
 /// logarithm.
-const LITTLE: f64 = 0.3;
+const STALL_FRACTION: f64 = 0.3;
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
-const NEAR: f64 = 30.0;
+const ROUNDING_VARIATION: f64 = 30.0;
 /// The largest factor between successive numbers of steps under the law error ∝ ε^order.
-const LEAP: u64 = 1 << 12;
+const MAX_STEPS_RATIO: u64 = 1 << 12;
 
 #[derive(Clone, Copy, Debug)]
 struct ErrorReduction {
@@ -36,7 +38,7 @@ struct ErrorReduction {
 impl ErrorReduction {
     /// Returns whether the gain follows the law error ∝ ε^order, at a sufficiently small error.
     fn is_lawful(&self) -> bool {
-        (self.part - 1.0).abs() < LAWFUL && self.before < self.factor * USEFUL
+        (self.part - 1.0).abs() < ORDER_LAW_TOLERANCE && self.before < self.factor * ORDER_LAW_ERROR
     }
 
     fn of(before: &Setting, now: &Setting) -> Self {
@@ -76,11 +78,11 @@ impl RefinementResult {
     fn add(&mut self, trial: Setting) -> Option<ErrorReduction> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = ErrorReduction::of(&before, &trial);
-        let gained_nothing =
-            (self.was_lawful && gain.part < LITTLE) || (trial.error < SMALL && STALL * gain.factor < 1.0);
+        let gained_nothing = (self.was_lawful && gain.part < STALL_FRACTION)
+            || (trial.error < PHASE_LOSS_ERROR && EQUAL_ERROR_RATIO * gain.factor < 1.0);
         self.stalls = if gained_nothing { self.stalls + 1 } else { 0 };
         self.was_lawful |= gain.is_lawful();
-        self.gained_little |= gain.before < USEFUL && gain.part < 1.0 - LAWFUL;
+        self.gained_little |= gain.before < ORDER_LAW_ERROR && gain.part < 1.0 - ORDER_LAW_TOLERANCE;
         Some(gain)
     }
 }
@@ -108,10 +110,10 @@ impl<L: Trials> Search<L> {
             if trial.error <= self.enough() {
                 break;
             }
-            if climb.stalls >= STALLS {
+            if climb.stalls >= STALLS_BEFORE_CHECK {
                 // Near the tolerance a further trial may meet it by chance, in spite of rounding
                 // errors.
-                let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
+                let is_near = trial.error <= ROUNDING_VARIATION * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
                     climb.has_stalled = true;
                     break;
@@ -121,15 +123,16 @@ impl<L: Trials> Search<L> {
                 climb.stalls = 0;
             }
             steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
-            if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
-                let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);
+            if let Some(gain) = gain.filter(|gain| trial.error < PHASE_LOSS_ERROR && gain.factor > 2.0) {
+                let enough = Self::steps_by_order_law(&trial, 0.9 * self.rules.enough * self.tolerance);
                 let is_dear = self.cost(scheme, enough) > self.rules.surely * self.least_cost();
                 if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
                     break;
                 }
                 // Under the law error ∝ ε^order, trials in between are unnecessary.
                 if self.rules.leaps && gain.is_lawful() {
-                    steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
+                    steps = (enough.ceil() as u64)
+                        .clamp(trial.steps + 1, trial.steps.saturating_mul(MAX_STEPS_RATIO));
                 }
             }
         }
@@ -139,17 +142,18 @@ impl<L: Trials> Search<L> {
     /// Returns whether rounding dominates the error of a trial, because the error in `Dd` is
     /// smaller.
     pub(super) fn has_roundings(&mut self, trial: &Setting) -> bool {
-        let wide = WIDE.composed(trial.scheme.composition);
+        let wide = PLAIN_DOUBLE_DOUBLE.composed(trial.scheme.composition);
         let other = if trial.scheme == wide { None } else { self.trial(wide, trial.steps, self.rules.share) };
-        other.is_none_or(|other| other.error < STALL * trial.error)
+        other.is_none_or(|other| other.error < EQUAL_ERROR_RATIO * trial.error)
     }
 
     /// Returns the most steps up to which errors of plain `f64` fell by the law error ∝ ε^order.
-    pub(super) fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
-        let scheme = PLAIN.composed(composition);
+    pub(super) fn steps_with_order_law(&self, composition: Composition, coarsest: u64) -> u64 {
+        let scheme = PLAIN_DOUBLE.composed(composition);
         let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();
         plain.sort_by_key(|trial| trial.steps);
-        let is_lawful = |pair: &&[&Setting]| ErrorReduction::of(pair[0], pair[1]).part > 1.0 - LAWFUL;
+        let is_lawful =
+            |pair: &&[&Setting]| ErrorReduction::of(pair[0], pair[1]).part > 1.0 - ORDER_LAW_TOLERANCE;
         plain.windows(2).filter(is_lawful).map(|pair| pair[1].steps).max().unwrap_or(coarsest)
     }
 }

@@ -46,9 +46,9 @@ pub(super) enum Pair {
     General,
 }
 
-/// The target of a backward jump.
+/// The target of a backward jump, as an offset in bytes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Label(usize);
+pub(crate) struct Label(pub(crate) usize);
 
 #[derive(Debug)]
 #[must_use]
@@ -175,10 +175,6 @@ impl Assembler {
     /// Returns the current position in the code, to which later instructions can jump back.
     pub(crate) fn label(&self) -> Label {
         Label(self.bytes.len())
-    }
-
-    pub(crate) fn bytes_since(&self, Label(place): Label) -> usize {
-        self.bytes.len() - place
     }
 
     /// Jumps forward if `count` is zero. [`bind`](Self::bind) sets the target later.

@@ -111,7 +111,7 @@ K.value | K_7 at a point, addition | K7(3/7, 11/13, 23/47, 1/2, 19/17) ~ 0.96981
 ";
 
 /// The call `point(F)` is F at the initial state that the parameters τ, β and γ determine.
-const POINT: &str = "point(F) := on(F, 1/(2*eps*tau), beta/(2*eps), gamma/(2*eps))";
+const POINT_DEFINITION: &str = "point(F) := on(F, 1/(2*eps*tau), beta/(2*eps), gamma/(2*eps))";
 const SPECIAL_CASES: &str = "
 parameters.beta1 | beta_1 at xi = 1 | point(y/x) = tau*beta
 parameters.gamma1 | gamma_1 at xi = 1 |
@@ -124,16 +124,24 @@ parameters.gamma2 | gamma_2 at xi = -1 |
 
 pub(super) fn claims() -> Vec<Claim> {
     [
-        read(RECURRENCES, |id, place, statement| claim(id, place, statement).spelling(RATIOS)),
+        read(RECURRENCES, |id, place, statement| claim(id, place, statement).with_used_definitions(RATIOS)),
         read(SOLUTIONS, |id, place, statement| {
-            claim(id, place, statement).spelling(if id.ends_with(".step") { STEP } else { SOLUTION })
+            claim(id, place, statement).with_used_definitions(if id.ends_with(".step") {
+                STEP
+            } else {
+                SOLUTION
+            })
         }),
-        read(INTEGRALS, |id, place, statement| claim(id, place, statement).spelling(INTEGRAL)),
+        read(INTEGRALS, |id, place, statement| claim(id, place, statement).with_used_definitions(INTEGRAL)),
         read(BRACKETS, |id, place, statement| {
-            claim(id, place, statement).spelling(BRACKET).spelling(INTEGRAL)
+            claim(id, place, statement).with_used_definitions(BRACKET).with_used_definitions(INTEGRAL)
         }),
-        read(SECOND_INTEGRAL, |id, place, statement| claim(id, place, statement).spelling(SERIES)),
-        read(SPECIAL_CASES, |id, place, statement| claim(id, place, statement).spelling(POINT)),
+        read(SECOND_INTEGRAL, |id, place, statement| {
+            claim(id, place, statement).with_used_definitions(SERIES)
+        }),
+        read(SPECIAL_CASES, |id, place, statement| {
+            claim(id, place, statement).with_used_definitions(POINT_DEFINITION)
+        }),
     ]
     .concat()
 }

@@ -72,7 +72,7 @@ pub(super) fn claims() -> Vec<Claim> {
 fn claim(id: &str, place: &str, statement: &str) -> Claim {
     let place = format!("Section 6 (dE8), {place}");
     let claim = Claim::new(Section::Transcendental, ["section6", "e8", id], "e8", place, statement);
-    claim.spelling(match id {
+    claim.with_used_definitions(match id {
         _ if id.ends_with(".step") => STEP,
         "x" | "U" | "y" | "z" => SOLUTION,
         _ => SERIES,

@@ -39,10 +39,10 @@ fixed_points.slopes | the slopes at the fixed points: of one sign for xi > 0, of
 ";
 
 /// Definition of w = 1/x² on an orbit for ξ = 2.
-const W: &str = "w := 2/k^2 + b*(exp(k*t) + exp(-k*t)); K := sqrt(k^2*b^2 - 1/k^2)";
+const W_DEFINITION: &str = "w := 2/k^2 + b*(exp(k*t) + exp(-k*t)); K := sqrt(k^2*b^2 - 1/k^2)";
 const ORBIT: &str = "x := 1/sqrt(w); y := K/w; z := d(w, t)/(2*w)";
 /// Definition of u = 1/y² for ξ = 1/2.
-const U: &str = "u := 2/k^2 + b*(exp(k*t/2) + exp(-k*t/2))";
+const U_DEFINITION: &str = "u := 2/k^2 + b*(exp(k*t/2) + exp(-k*t/2))";
 
 /// The orbits of E9 in closed form for ξ = 2, 1/2 and 0.
 const CLOSED_CASES: &str = "
@@ -66,10 +66,15 @@ xi_0.solution | xi = 0: the solution |
 
 pub(super) fn claims() -> Vec<Claim> {
     [
-        read(QUADRATURE, |id, place, statement| claim(id, place, statement).spelling(INTEGRALS)),
-        read(ELEMENTARY, |id, place, statement| claim(id, place, statement).spelling(ANTIDERIVATIVE)),
+        read(QUADRATURE, |id, place, statement| claim(id, place, statement).with_used_definitions(INTEGRALS)),
+        read(ELEMENTARY, |id, place, statement| {
+            claim(id, place, statement).with_used_definitions(ANTIDERIVATIVE)
+        }),
         read(CLOSED_CASES, |id, place, statement| {
-            claim(id, place, statement).spelling(ORBIT).spelling(W).spelling(U)
+            claim(id, place, statement)
+                .with_used_definitions(ORBIT)
+                .with_used_definitions(W_DEFINITION)
+                .with_used_definitions(U_DEFINITION)
         }),
     ]
     .concat()

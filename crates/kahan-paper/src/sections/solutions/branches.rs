@@ -2,7 +2,7 @@
 
 use super::super::super::claim::Claim;
 use super::super::text::read;
-use super::{Solution, solved};
+use super::{Solution, solution_claim};
 
 /// The solutions of Theorem 3 after δ and κ are shifted by πi/2 and μ is replaced by ν = iμ.
 pub(super) static BRANCHES: [(Solution, [&str; 3]); 2] = [
@@ -51,5 +51,5 @@ pub(super) fn claims() -> Vec<Claim> {
     let branches = BRANCHES
         .iter()
         .flat_map(|(solution, signs)| solution.claims("branch.", ", second real branch, addition", *signs));
-    branches.chain(read(SEPARATION, solved)).collect()
+    branches.chain(read(SEPARATION, solution_claim)).collect()
 }

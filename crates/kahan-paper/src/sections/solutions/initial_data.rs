@@ -3,10 +3,10 @@
 use super::super::super::claim::Claim;
 use super::super::text::read;
 use super::branches::BRANCHES;
-use super::{claim, solved};
+use super::{claim, solution_claim};
 
 /// The parameters of the solution as functions of the state (x, y, z).
-const THROUGH: &str = "
+const PARAMETERS_OF_STATE: &str = "
 theorem3.e1.through | Theorem 3, i = 1, addition: the parameters from initial data |
     tau := 1/(2*eps*x); beta := H_eps; gamma := K_eps; X(0) = x; Y(0) = y; Z(0) = z
 theorem3.e2.through | Theorem 3, i = 2, addition: the parameters from initial data |
@@ -65,15 +65,15 @@ theorem3.e4.kappa |
 
 pub(super) fn claims() -> Vec<Claim> {
     [
-        read(THROUGH, solved),
+        read(PARAMETERS_OF_STATE, solution_claim),
         read(THROUGH_BRANCHES, |id, place, statement| {
             let claim = claim(id, place, statement);
             let branch = BRANCHES.iter().find(|(solution, _)| solution.system == claim.system);
             claim.given_definitions(&branch.map_or_else(String::new, |(solution, _)| solution.definitions()))
         }),
-        read(TAU, solved),
-        read(OF_VALUES, |id, place, statement| claim(id, place, statement).spelling(VALUES)),
-        read(OF_POINT, |id, place, statement| claim(id, place, statement).spelling(POINT)),
+        read(TAU, solution_claim),
+        read(OF_VALUES, |id, place, statement| claim(id, place, statement).with_used_definitions(VALUES)),
+        read(OF_POINT, |id, place, statement| claim(id, place, statement).with_used_definitions(POINT)),
     ]
     .concat()
 }

@@ -26,7 +26,7 @@
 //! The states are recomputed from about √steps checkpoints. If coefficients depend on ε, dual
 //! numbers differentiate the whole step.
 
-mod back;
+mod backward_pass;
 mod terms;
 
 use core::num::NonZeroU64;
@@ -36,7 +36,7 @@ use crate::dimension::Argument;
 use crate::follow::pause;
 use crate::{DimensionError, End, Follow, Followed, MapAt, RuntimeFloat};
 
-use back::BackwardPass;
+use backward_pass::BackwardPass;
 
 /// The derivatives of a scalar with respect to start, parameters and ε of an orbit; made by
 /// [`MapAt::gradient`].

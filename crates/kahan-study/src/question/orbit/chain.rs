@@ -13,7 +13,7 @@ use crate::named::{Names, by_name};
 use crate::numbers::ScalarKind;
 use crate::rows::{Column, Ending, Rows};
 
-use super::points::{EarlyEnd, EndReason, OrbitPoints, OrbitRows, moment};
+use super::points::{EarlyEnd, EndReason, OrbitPoints, OrbitRows, rows_in_milliseconds};
 use super::row_schedule::RowSchedule;
 use super::{columns, is_none, names};
 
@@ -164,6 +164,6 @@ impl OrbitPoints<Float64> for ShownChain<'_> {
     }
 
     fn at_once(&self, every: u64) -> usize {
-        moment(self.chain.state.len(), every)
+        rows_in_milliseconds(self.chain.state.len(), every)
     }
 }

@@ -18,7 +18,7 @@ use crate::numbers::{DoubleDouble, Number, Printable};
 use crate::rows::{self, Values};
 use crate::study::Study;
 
-use super::points::{EarlyEnd, EndReason, OrbitPoints, moment, one_by_one};
+use super::points::{EarlyEnd, EndReason, OrbitPoints, one_by_one, rows_in_milliseconds};
 use super::{NoOrbit, Orbit};
 
 /// An arithmetic in which points can move, and whose numbers can be cells of tables.
@@ -220,7 +220,7 @@ impl<T: RuntimeFloat, A: PointArithmetic<Value = T, Cell = T>> OrbitPoints<A> fo
     }
 
     fn at_once(&self, every: u64) -> usize {
-        moment(self.x.len(), every)
+        rows_in_milliseconds(self.x.len(), every)
     }
 
     fn point(&self) -> Vec<Number> {

@@ -15,7 +15,7 @@ use crate::error::StudyError;
 use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind};
 
 use super::maps::PointArithmetic;
-use super::points::{EarlyEnd, EndReason, OrbitPoints, moment, one_by_one};
+use super::points::{EarlyEnd, EndReason, OrbitPoints, one_by_one, rows_in_milliseconds};
 use super::{Method, NoOrbit};
 
 struct ExplicitOrbit<'a, A: PointArithmetic> {
@@ -105,7 +105,7 @@ impl<A: PointArithmetic> OrbitPoints<A> for ExplicitOrbit<'_, A> {
 
     fn at_once(&self, every: u64) -> usize {
         // Exact numbers at least double their digits in each step, so rows are passed on singly.
-        if A::KIND == ScalarKind::Exact { 1 } else { moment(self.x.len(), every) }
+        if A::KIND == ScalarKind::Exact { 1 } else { rows_in_milliseconds(self.x.len(), every) }
     }
 
     fn point(&self) -> Vec<Number> {
@@ -140,7 +140,7 @@ impl QuadraticField<Dd, LARGEST_DIMENSION> for SignedField {
     }
 }
 
-struct Solution {
+struct FlowSolution {
     field: SignedField,
     /// The time step |2ε|.
     step: Dd,
@@ -158,10 +158,10 @@ pub(super) fn flow<A: PointArithmetic>(
     let sign = Dd::from(if eps.is_negative() { -1.0 } else { 1.0 });
     let eps = DoubleDouble::round(eps);
     let x = Point::from_fn(|i, _| start.get(i).map_or_else(Dd::default, DoubleDouble::round));
-    Ok(Box::new(Solution { field: SignedField { map, sign }, step: eps * sign * Dd::from(2.0), x }))
+    Ok(Box::new(FlowSolution { field: SignedField { map, sign }, step: eps * sign * Dd::from(2.0), x }))
 }
 
-impl Solution {
+impl FlowSolution {
     /// Advances by `steps` steps, and calls `see` at each point.
     fn walk<A: PointArithmetic>(
         &mut self,
@@ -207,7 +207,7 @@ impl Solution {
     }
 }
 
-impl<A: PointArithmetic> OrbitPoints<A> for Solution {
+impl<A: PointArithmetic> OrbitPoints<A> for FlowSolution {
     fn row(&mut self, cells: &mut Vec<A::Cell>) {
         self.append::<A>(cells);
     }
@@ -231,7 +231,7 @@ impl<A: PointArithmetic> OrbitPoints<A> for Solution {
     }
 
     fn at_once(&self, every: u64) -> usize {
-        moment(self.field.map.variables().len(), every)
+        rows_in_milliseconds(self.field.map.variables().len(), every)
     }
 
     fn point(&self) -> Vec<Number> {

@@ -82,7 +82,7 @@ pub(super) trait OrbitPoints<A: PointArithmetic> {
 }
 
 /// Returns a number of rows of floats that takes some milliseconds to compute.
-pub(super) fn moment(variables: usize, every: u64) -> usize {
+pub(super) fn rows_in_milliseconds(variables: usize, every: u64) -> usize {
     const MOST: u64 = 1024;
     // The cost of a step is taken to grow with the square of the number of variables.
     let steps = (1 << 20) / (variables as u64).pow(2);

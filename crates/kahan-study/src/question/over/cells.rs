@@ -47,7 +47,7 @@ pub(in crate::question) struct Cells<'a> {
 }
 
 /// The largest number of cells. The number of each cell must fit into an `i64`.
-const MOST: u64 = 1 << 62;
+const MAX_CELLS: u64 = 1 << 62;
 
 impl<'a> Cells<'a> {
     pub(super) fn of(over: &'a Over, study: &Study) -> Result<Self, StudyError> {
@@ -92,10 +92,10 @@ impl<'a> Cells<'a> {
         let count = counts.fold(1, |count: u64, own| count.saturating_mul(own));
         match count {
             0 => Err(StudyError::NotPositive { what: "draws", value: Rational::zero() }),
-            1..=MOST => {
+            1..=MAX_CELLS => {
                 Ok(Cells { axes, with_starts, starts: &over.starts, exactly, in_doubles, draws, count })
             }
-            _ => Err(StudyError::ManyPoints { most: MOST as usize }),
+            _ => Err(StudyError::ManyPoints { most: MAX_CELLS as usize }),
         }
     }
 

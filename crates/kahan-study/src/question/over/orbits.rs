@@ -9,7 +9,7 @@ use super::at_cell::column;
 use super::cells::{CellEntry, CellInputs, Cells, VariedQuantity};
 use crate::error::StudyError;
 use crate::question::NoOrbit;
-use crate::question::observe::{FITTING, Observable, Observe, ObservedValue, shown};
+use crate::question::observe::{ARGUMENTS_FIT, Observable, Observe, ObservedValue, shown};
 use crate::rows::{Column, StoredColumn};
 use crate::study::Study;
 
@@ -17,7 +17,8 @@ const LANES: u64 = 16;
 /// The number of steps in one block, of all its orbits together.
 const AT_ONCE: u64 = 1 << 24;
 
-const ENDED: &str = "how the orbit ended: complete, range (its next point is not finite), escaped or reembed";
+const END_MEANING: &str =
+    "how the orbit ended: complete, range (its next point is not finite), escaped or reembed";
 
 pub(super) struct Orbits<'a> {
     study: &'a Study,
@@ -55,7 +56,7 @@ impl<'a> Orbits<'a> {
     }
 
     pub(super) fn columns(&self) -> Vec<(Column, StoredColumn)> {
-        let ended = column("ended", ENDED, StoredColumn::Text);
+        let ended = column("ended", END_MEANING, StoredColumn::Text);
         let steps = column("ended_step", "steps to the last point of the orbit", StoredColumn::Integer);
         let seen = self.asked.columns(self.study).into_iter();
         let seen = seen.map(|column| (column, StoredColumn::F64(Vec::new())));
@@ -174,13 +175,13 @@ impl<'a> Orbits<'a> {
             if self.cells.neighbours_share_a_map() && is_short {
                 let mut own: Vec<&mut [T]> =
                     columns.iter_mut().map(|column| &mut column[orbits.clone()]).collect();
-                found.extend(same[0].follow_columns(&mut own, &[], &[], steps).expect(FITTING));
+                found.extend(same[0].follow_columns(&mut own, &[], &[], steps).expect(ARGUMENTS_FIT));
                 continue;
             }
             for orbit in orbits {
                 let mut x: Vec<T> = columns.iter().map(|column| column[orbit]).collect();
                 let followed = same[0].follow(&mut x, steps, tell);
-                found.push(followed.expect(FITTING).end);
+                found.push(followed.expect(ARGUMENTS_FIT).end);
                 columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
             }
         }

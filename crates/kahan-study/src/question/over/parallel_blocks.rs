@@ -9,7 +9,7 @@ use crate::count::WorkCount;
 use crate::rows::{Rows, Table};
 
 /// The number of blocks that each thread computes before rows are passed on.
-const WAVE: u64 = 64;
+const BLOCKS_PER_THREAD: u64 = 64;
 
 /// A function that computes the rows of some cells. The callback gets the number of finished cells,
 /// and returns `false` to end the work.
@@ -32,12 +32,12 @@ pub(super) fn in_parallel_blocks(
     let told = WorkCount::new("cells", count, watch);
     let goes_on = |more: u64| told.tell(more).is_continue();
     let blocks = count.div_ceil(block);
-    for first in (0..blocks).step_by((WAVE * threads) as usize) {
+    for first in (0..blocks).step_by((BLOCKS_PER_THREAD * threads) as usize) {
         let cells = |place: usize| {
             let start = range.start + (first + place as u64) * block;
             start..range.end.min(start + block)
         };
-        let wave = (WAVE * threads).min(blocks - first) as usize;
+        let wave = (BLOCKS_PER_THREAD * threads).min(blocks - first) as usize;
         let tables = threads::map(wave, Some(threads as usize), |place| make(cells(place), &goes_on));
         for (place, table) in tables.iter().enumerate() {
             let own = cells(place);

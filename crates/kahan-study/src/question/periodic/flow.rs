@@ -286,7 +286,7 @@ impl Family {
             mark: BranchPointKind::Asked(0),
         };
         let (found, mut first) = FlowFound::of(cycles.into_iter().map(point).collect(), powers);
-        self.unfold(&mut first.cycle);
+        self.to_all_variables(&mut first.cycle);
         Ok((first, found, branch))
     }
 

@@ -22,7 +22,7 @@ use super::side_by_side::{self, SectionRequest};
 use super::{Cells, Crossed, Section};
 
 /// The number of crossings that all buffers together can hold.
-const ROOM: usize = 1 << 21;
+const CROSSINGS_CAPACITY: usize = 1 << 21;
 
 pub(super) struct Orbits<'a> {
     asked: &'a Section,
@@ -55,7 +55,7 @@ impl<'a> Orbits<'a> {
         }
         study.within_range(&in_doubles.at, in_doubles.eps)?;
         let columns = asked.columns_of(study, cells);
-        Ok(Orbits { asked, study, cells, composition, columns, limit, room: ROOM })
+        Ok(Orbits { asked, study, cells, composition, columns, limit, room: CROSSINGS_CAPACITY })
     }
 
     /// Prepares the orbit of a cell. An undefined field, plane or point ends the orbit at once.
@@ -156,17 +156,21 @@ impl<'a> Orbits<'a> {
     pub(super) fn find(&self, rows: &mut dyn Rows, watch: &dyn Watch) -> Vec<Crossed> {
         let all = self.limit.saturating_mul(self.cells.count);
         let count = WorkCount::new("steps", all, watch);
-        if self.asked.carry { self.carried(rows, &count) } else { self.in_parallel_blocks(rows, &count) }
+        if self.asked.carry {
+            self.follow_in_sequence(rows, &count)
+        } else {
+            self.in_parallel_blocks(rows, &count)
+        }
     }
 
     /// Alternates between following some groups on all threads and passing on their rows.
     fn in_parallel_blocks(&self, rows: &mut dyn Rows, count: &WorkCount<'_>) -> Vec<Crossed> {
         /// The number of groups that each thread follows before rows are passed on.
-        const GROUPS: u64 = 4;
+        const GROUPS_PER_THREAD: u64 = 4;
 
         let (all, threads) = (self.cells.count, count.threads() as u64);
         let group = all.div_ceil(threads).clamp(1, GROUP as u64);
-        let wave = group * GROUPS * threads;
+        let wave = group * GROUPS_PER_THREAD * threads;
         let room = (self.room as u64 / wave.min(all)).max(1) as usize;
         let mut found = Vec::new();
         for first in (0..all).step_by(wave as usize) {
@@ -190,7 +194,7 @@ impl<'a> Orbits<'a> {
     }
 
     /// Follows one orbit after another. Each orbit starts at the last point of the previous orbit.
-    fn carried(&self, rows: &mut dyn Rows, count: &WorkCount<'_>) -> Vec<Crossed> {
+    fn follow_in_sequence(&self, rows: &mut dyn Rows, count: &WorkCount<'_>) -> Vec<Crossed> {
         let (mut found, mut last) = (Vec::new(), None::<Vec<f64>>);
         for index in 0..self.cells.count {
             let (begun, mut course) = self.prepare_orbit(index, self.room);
@@ -241,7 +245,7 @@ mod tests {
             let mut rows = Counted::default();
             (Orbits { room, ..orbits }.find(&mut rows, &Unwatched), rows.0, rows.1)
         };
-        let (orbits, table, block) = found(ROOM);
+        let (orbits, table, block) = found(CROSSINGS_CAPACITY);
         assert!(table.count() > 2000 && block > 200, "{} {block}", table.count());
         for room in [7, 70, 1000] {
             let few = found(room);

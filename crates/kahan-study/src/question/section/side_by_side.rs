@@ -9,16 +9,16 @@ use kahan_core::Step;
 use kahan_core::observe::{Burst, Direction, GROUP, Group, Grouped, Observer, Observers, Section};
 use kahan_runtime::{End, MapAt};
 
-use crate::formula::{Abreast, Formula};
+use crate::formula::{Formula, FormulaGroup};
 use crate::study::Study;
 
 use super::plane::Plane;
 use super::section_orbit::{BufferedCrossings, SectionOrbit};
 
 /// The number of steps after which finished orbits leave the group.
-const STEPS: u64 = 1024;
+const STEPS_PER_ROUND: u64 = 1024;
 /// Fewer orbits than this number are followed one by one.
-const FEWEST: usize = 4;
+const MIN_GROUPED_ORBITS: usize = 4;
 
 /// The parts of the question that are the same for all orbits.
 pub(super) struct SectionRequest<'a> {
@@ -76,7 +76,7 @@ impl<'a, F: Fn(&[f64]) -> f64 + Copy> SectionLane<'a, F> {
 struct LaneObserver<'c, 'a, F> {
     lane: &'c mut SectionLane<'a, F>,
     /// The formula of the whole group; `None` if the formula depends on integrals.
-    abreast: Option<&'c Abreast>,
+    abreast: Option<&'c FormulaGroup>,
     before: u64,
 }
 
@@ -215,13 +215,13 @@ pub(super) fn follow(
     };
     loop {
         let live: Vec<usize> = (0..lanes.len()).filter(|k| lanes[*k].goes_on()).collect();
-        if live.len() < FEWEST || made >= asked.limit || is_stopped.get() {
+        if live.len() < MIN_GROUPED_ORBITS || made >= asked.limit || is_stopped.get() {
             break;
         }
-        let steps = STEPS.min(asked.limit - made);
+        let steps = STEPS_PER_ROUND.min(asked.limit - made);
         let own: Vec<&MapAt<f64>> = live.iter().map(|k| maps[*k]).collect();
         let formulas: Vec<&Formula> = live.iter().map(|k| &planes[*k].0).collect();
-        let abreast = (!names_integrals).then(|| Abreast::of(&formulas));
+        let abreast = (!names_integrals).then(|| FormulaGroup::of(&formulas));
         let column = |k: usize| live.iter().map(|lane| lanes[*lane].x[k]).collect();
         let mut columns: Vec<Vec<f64>> = (0..variables).map(column).collect();
         let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();

@@ -7,8 +7,8 @@
 mod delta_series;
 mod memory;
 mod passage;
+mod passage_scalar;
 mod point;
-mod through;
 
 use core::fmt;
 use core::iter::FusedIterator;
@@ -21,8 +21,8 @@ use crate::step::error::Reason;
 use crate::{ExtendScalars, KahanAt, Orbit, PreparedStep, SingularStep};
 
 use passage::{NoLimit, Passage, PassagePoint};
+pub use passage_scalar::ThroughPoles;
 pub use point::ProjectivePoint;
-pub use through::ThroughPoles;
 
 /// The number of steps after which merged points are assumed to stay merged.
 const MOST_STEPS: usize = 12;

@@ -17,11 +17,11 @@ use super::delta_series::DeltaSeries;
 use super::point::ProjectivePoint;
 
 /// Arbitrary slopes of the lines. Small integers would often sum to 0 or lie in a special plane.
-const SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
+const LINE_SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
 
 fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
     let place = i + 5 * line + 3 * effort;
-    S::constant(&crate::Constant::integer(SLOPES[place % SLOPES.len()]))
+    S::constant(&crate::Constant::integer(LINE_SLOPES[place % LINE_SLOPES.len()]))
 }
 
 /// A line through the point before the pole, advanced by the steps so far.

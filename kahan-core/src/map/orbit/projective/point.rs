@@ -56,7 +56,7 @@ impl<T: Scalar, const N: usize> From<SVector<T, N>> for ProjectivePoint<T, N> {
 }
 
 /// A coordinate is treated as the largest if it is smaller by at most this fraction.
-const TIE: f64 = 1.0 / (1_u32 << 20) as f64;
+const TIE_TOLERANCE: f64 = 1.0 / (1_u32 << 20) as f64;
 
 pub(super) fn first_of_the_largest<T: Pivot>(coordinates: &[T]) -> usize {
     let larger = |best: usize, i: usize| {
@@ -65,7 +65,7 @@ pub(super) fn first_of_the_largest<T: Pivot>(coordinates: &[T]) -> usize {
     let largest = (1..coordinates.len()).fold(0, larger);
     let near = |one: &T| {
         let part = one.clone() / coordinates[largest].clone();
-        part.approximate().abs() >= 1.0 - TIE
+        part.approximate().abs() >= 1.0 - TIE_TOLERANCE
     };
     if coordinates[largest].is_zero() {
         return largest;

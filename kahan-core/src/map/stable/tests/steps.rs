@@ -5,7 +5,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use nalgebra::SVector;
 
 use super::super::bounded_step::BoundedStep;
-use super::super::precisions::{PROMISE, in_own_precision};
+use super::super::precisions::{ERROR_BOUND, in_own_precision};
 use super::super::scalars::PromiseScalar;
 use super::worst::{Q, Worst, off_by, two_to};
 use crate::scalar::Wide;
@@ -197,7 +197,7 @@ fn the_first_rung_keeps_the_promise() {
         }
     });
     assert!(largest <= 64.0 && largest > 5.0, "{largest} u");
-    assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
+    assert!(passed > 100 && refused > 100 && ERROR_BOUND < 64.0, "{passed} passed, {refused} were refused");
 }
 
 /// The underflow error of y² is multiplied by a = 2⁶⁰, and then exceeds the allowance.

@@ -5,7 +5,7 @@ use std::vec::Vec;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::scalar::wide::{Capacity, LongNumber, level_row};
+use crate::scalar::wide::{Capacity, LongNumber, equilibrate_row};
 use crate::scalar::{Size, Wide};
 use crate::{Constant, Scalar};
 
@@ -67,7 +67,7 @@ fn constants_and_pivots_are_those_of_the_numbers() {
 #[test]
 fn a_levelled_row_is_the_same_equation() {
     let (mut row, mut right) = ([long(3e200), long(-5e-300), LongNumber::zero()], long(7e100));
-    level_row(row.iter_mut(), &mut right);
+    equilibrate_row(row.iter_mut(), &mut right);
     let largest = row[0].at_most();
     assert!(largest >= Size::from(1.0) && largest <= Size::from(2.0 + 1e-9));
     let ratio = |a: &LongNumber, b: f64| a.clone() / long(b);

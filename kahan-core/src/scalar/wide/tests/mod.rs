@@ -13,7 +13,7 @@ use num_bigint::BigInt;
 use num_traits::Zero;
 
 use super::rows::DigitRow;
-use super::{FARTHEST, Size, Wide};
+use super::{MAX_PLACE, Size, Wide};
 
 const LIMBS: usize = 16;
 
@@ -88,7 +88,7 @@ impl Dyadic {
 
 impl Wide {
     fn scaled(self, power: i64) -> Self {
-        if !self.is_defined() || power.unsigned_abs() > 64 * FARTHEST {
+        if !self.is_defined() || power.unsigned_abs() > 64 * MAX_PLACE {
             return Self::UNDEFINED;
         }
         Self::of(

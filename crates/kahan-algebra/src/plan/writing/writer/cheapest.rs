@@ -11,12 +11,12 @@ use crate::plan::writing::plan_draft::Signed;
 impl Writer {
     /// Writes a polynomial in the cheapest of several ways to multiply ε into its terms.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
-        let ways = self.scaling.ways(polynomial);
+        let ways = self.scaling.eps_distributions(polynomial);
         self.cheapest(&ways, |writer, way| writer.write(way, FormGoal::Few), |_| 0)
     }
 
     pub(in crate::plan) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> MatrixEntry {
-        let ways = self.scaling.ways(polynomial);
+        let ways = self.scaling.eps_distributions(polynomial);
         let write = |writer: &mut Self, way: &Polynomial| MatrixEntry {
             polynomial: Some(way.clone()),
             written: writer.write(way, FormGoal::Few),
@@ -25,7 +25,7 @@ impl Writer {
     }
 
     pub(in crate::plan) fn cheapest_term(&mut self, term: &Polynomial) -> (Vec<Node>, bool) {
-        let ways = self.scaling.ways(term);
+        let ways = self.scaling.eps_distributions(term);
         let factors = |writer: &mut Self, way: &Polynomial| {
             let (monomial, coefficient) = way.leading_term().expect("a term is not zero");
             writer.factors_of_term(monomial, coefficient)

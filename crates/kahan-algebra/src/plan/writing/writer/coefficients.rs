@@ -13,7 +13,7 @@ const MOST_GATHERED: usize = 1024;
 impl Writer {
     /// Replaces each sum of constants that multiplies a product of states by one prepared constant.
     /// Returns `None` if no sum can be replaced.
-    pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
+    pub(super) fn gather_coefficients(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
             return None;
         }

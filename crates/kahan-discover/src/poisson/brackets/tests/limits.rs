@@ -55,7 +55,7 @@ fn every_choice_of_integrals_gives_a_bracket_until_the_time_is_up() {
     assert!(of(&integrals[..1], &Deadline::never()).is_empty(), "too few integrals");
 
     let clock = Ticking::default();
-    let work = Work::new(&clock);
+    let work = WatchedSearch::new(&clock);
     let past = Deadline::after(&work, 0.0);
     assert!(of(&integrals, &past).is_empty());
     assert!(past.has_stopped(), "what was left out is known");

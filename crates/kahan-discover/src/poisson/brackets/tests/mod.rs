@@ -11,7 +11,7 @@ use kahan_algebra::{lexer, read};
 
 use super::construct::invariant_tensor;
 use super::*;
-use crate::deadline::Work;
+use crate::deadline::WatchedSearch;
 use crate::tests::{Ticking, claim, function, functions};
 
 fn system(text: &str) -> System {

@@ -14,26 +14,26 @@ use super::{DeltaSeries, direction};
 
 /// The exponent of δ relative to the size of the point, far below the digits of a
 /// [`Dd`](crate::Dd).
-const DELTA: i32 = -192;
+const DELTA_EXPONENT: i32 = -192;
 
 /// A coordinate is treated as infinite if its exponent exceeds that of the point by this number,
 /// and as 0 if its exponent is lower by this number.
-const INFINITE: i64 = 96;
+const INFINITY_EXPONENT: i64 = 96;
 
 /// The number of bits to which a limit must be known, more than any float of this crate has.
-const KNOWN: i64 = 110;
+const KNOWN_BITS: i64 = 110;
 
 /// Returns the limit of a coordinate as δ → 0, by rounding away the small terms that contain δ.
 fn without_delta(entry: Wide, size: Size) -> Wide {
-    if entry.size() < size.scaled(-INFINITE) {
+    if entry.size() < size.scaled(-INFINITY_EXPONENT) {
         return Wide::zero();
     }
     let leading = Wide::from(entry.to_f64());
-    if (entry - leading).size() < entry.size().scaled(-KNOWN) { leading } else { entry }
+    if (entry - leading).size() < entry.size().scaled(-KNOWN_BITS) { leading } else { entry }
 }
 
 /// The steps back to the first point may amplify rounding errors by 2 to this power.
-const LOST: i64 = 10;
+const MAX_LOST_BITS: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
     /// The first attempt has δ = 0, for points near a pole. The other attempts use other lines.
@@ -44,7 +44,7 @@ impl<T: PromiseScalar> DeltaSeries<T> for Wide {
     }
 
     fn delta(effort: usize) -> Self {
-        if effort == 0 { Self::zero() } else { Self::from(libm::exp2(f64::from(DELTA))) }
+        if effort == 0 { Self::zero() } else { Self::from(libm::exp2(f64::from(DELTA_EXPONENT))) }
     }
 
     fn unit(point: &[T]) -> Self {
@@ -61,14 +61,14 @@ impl<T: PromiseScalar> DeltaSeries<T> for Wide {
         let largest = (1..N).fold(0, larger);
         let size = point[largest].size() + unit.size();
         // Comparisons with NaN are false, and therefore the condition is negated.
-        if !point.iter().all(|entry| entry.radius() <= size.scaled(-KNOWN)) {
+        if !point.iter().all(|entry| entry.radius() <= size.scaled(-KNOWN_BITS)) {
             return None;
         }
         let is_moved = effort > 0;
         let settled: [Self; N] = from_fn(|i| if is_moved { without_delta(point[i], size) } else { point[i] });
         let affine = settled.map(T::narrow);
         let is_infinite = if is_moved {
-            point[largest].size() > unit.size().scaled(INFINITE)
+            point[largest].size() > unit.size().scaled(INFINITY_EXPONENT)
         } else {
             !affine.iter().all(T::is_finite_number)
         };
@@ -80,7 +80,7 @@ impl<T: PromiseScalar> DeltaSeries<T> for Wide {
         point: &SVector<Self, N>,
         unit: &Self,
     ) -> Option<bool> {
-        let most = unit.size().scaled(LOST);
+        let most = unit.size().scaled(MAX_LOST_BITS);
         let is_small = |size: fn(&Self) -> Size| {
             let entries = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
             entries.into_iter().all(|(i, j)| size(&derivative[(i, j)]) * point[j].size() <= most)

@@ -12,17 +12,17 @@ use crate::scalar::Laurent;
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{DeltaSeries, direction};
 
-const TERMS: [usize; 3] = [6, 12, 24];
+const SERIES_LENGTHS: [usize; 3] = [6, 12, 24];
 
 impl<T: Pivot> DeltaSeries<T> for Laurent<T> {
-    const EFFORTS: usize = TERMS.len();
+    const EFFORTS: usize = SERIES_LENGTHS.len();
 
     fn of(number: &T) -> Self {
         Laurent::Number(number.clone())
     }
 
     fn delta(effort: usize) -> Self {
-        Laurent::delta(TERMS[effort])
+        Laurent::delta(SERIES_LENGTHS[effort])
     }
 
     fn unit(_point: &[T]) -> Self {

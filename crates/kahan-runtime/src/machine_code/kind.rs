@@ -29,7 +29,7 @@ pub(crate) struct TangentKind {
     /// The kind of the step, either of the point or of the variational field.
     pub(crate) kind: StepKind,
     /// Whether `kind` is a step of the variational field. If not, the program of
-    /// [`Object::Tangent`](crate::engine::Object) propagates vectors.
+    /// [`MapObject::Tangent`](crate::engine::MapObject) propagates vectors.
     pub(crate) is_variational: bool,
     pub(crate) vectors: usize,
     pub(crate) has_squares: bool,

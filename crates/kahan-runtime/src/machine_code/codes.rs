@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Shape, Sweep};
 
-use crate::engine::{Engine, MachineFloat, Object, advance_dense};
+use crate::engine::{Engine, MachineFloat, MapObject, advance_dense};
 
 use super::{GroupKind, StepKind, programs};
 
@@ -24,15 +24,15 @@ const OPERATIONS_A_STEP: u64 = 8;
 
 /// The code for each key; `None` if compilation failed.
 #[derive(Debug)]
-struct Table<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
+struct CodeTable<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
 
-impl<K, C> Default for Table<K, C> {
+impl<K, C> Default for CodeTable<K, C> {
     fn default() -> Self {
-        Table(Mutex::default())
+        CodeTable(Mutex::default())
     }
 }
 
-impl<K: Eq + Hash, C> Table<K, C> {
+impl<K: Eq + Hash, C> CodeTable<K, C> {
     fn get(&self, key: K, compile: impl FnOnce() -> Option<C>) -> Option<Arc<C>> {
         if !CAN_RUN {
             return None;
@@ -46,10 +46,10 @@ impl<K: Eq + Hash, C> Table<K, C> {
 /// The compiled code of a field over one float type.
 #[derive(Debug, Default)]
 pub struct FloatCodes<T> {
-    orbits: Table<(StepKind, bool), OrbitCode<T>>,
+    orbits: CodeTable<(StepKind, bool), OrbitCode<T>>,
     functions: OnceLock<Vec<OnceLock<Option<Function<T>>>>>,
-    columns: Table<(StepKind, Shape), ColumnsCode<T>>,
-    abreast: Table<(GroupKind, InstructionSet), Sweep<T>>,
+    columns: CodeTable<(StepKind, Shape), ColumnsCode<T>>,
+    abreast: CodeTable<(GroupKind, InstructionSet), Sweep<T>>,
 }
 
 /// The compiled code of a field over all float types.
@@ -144,7 +144,11 @@ impl Codes {
     }
 
     /// Returns the code of an object, without fused multiply-adds; `None` if compilation fails.
-    pub(crate) fn function<T: MachineFloat>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
+    pub(crate) fn function<T: MachineFloat>(
+        &self,
+        engine: &Engine,
+        object: MapObject,
+    ) -> Option<&Function<T>> {
         if !CAN_RUN {
             return None;
         }

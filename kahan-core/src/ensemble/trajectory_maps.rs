@@ -16,14 +16,14 @@ use super::columns::{GROUP, Group};
 use super::lanes::{Lanes, OverLanes};
 use super::level::Instructions;
 
-struct OwnMaps<'a, 'c, S, T, const N: usize> {
+struct TrajectoryMaps<'a, 'c, S, T, const N: usize> {
     /// The map of each lane. Padding lanes repeat the last map.
     maps: [&'a S; GROUP],
     columns: [&'c mut Group<T>; N],
     steps: u64,
 }
 
-impl<S, T, const N: usize> OverLanes<T> for OwnMaps<'_, '_, S, T, N>
+impl<S, T, const N: usize> OverLanes<T> for TrajectoryMaps<'_, '_, S, T, N>
 where
     S: Staged<T, N>,
     T: EnsembleScalar,
@@ -63,7 +63,7 @@ where
     }
 }
 
-impl<S, T, const N: usize> OwnMaps<'_, '_, S, T, N>
+impl<S, T, const N: usize> TrajectoryMaps<'_, '_, S, T, N>
 where
     S: Staged<T, N>,
     T: EnsembleScalar,
@@ -75,7 +75,7 @@ where
         }
         if <S::Map as KahanMap<T, N>>::Prepared::HAS_LANES {
             let columns = self.columns.each_mut().map(|column| &mut **column);
-            let each = OwnMaps { maps: self.maps, columns, steps: self.steps };
+            let each = TrajectoryMaps { maps: self.maps, columns, steps: self.steps };
             if let Some(done) = T::over_lanes(each, on.level) {
                 return done.ok_or(*self.maps[0].eps());
             }
@@ -96,7 +96,7 @@ where
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {
             let mut all: [Group<T>; N] = from_fn(|c| [columns[c][lane]; GROUP]);
-            OwnMaps { maps: [map; GROUP], columns: all.each_mut(), steps }.advance(on)?;
+            TrajectoryMaps { maps: [map; GROUP], columns: all.each_mut(), steps }.advance(on)?;
             for (all, column) in all.iter().zip(&mut columns) {
                 column[lane] = all[lane];
             }
@@ -127,7 +127,7 @@ where
             (0..groups).try_for_each(|group| {
                 let map = |lane: usize| &self[((first + group) * GROUP + lane).min(self.len() - 1)];
                 let columns = columns.each_mut().map(|column| &mut column[group]);
-                OwnMaps { maps: from_fn(map), columns, steps }.advance(on)
+                TrajectoryMaps { maps: from_fn(map), columns, steps }.advance(on)
             })
         };
         divide(first, columns, steps, &work, &Result::and)

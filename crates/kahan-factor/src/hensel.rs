@@ -11,7 +11,7 @@ use super::dense::{self, Dense};
 use super::univariate::Integers;
 
 /// Monic polynomials whose product is a given polynomial modulo `modulus`, up to a constant factor.
-pub(super) struct Lifted {
+pub(super) struct HenselLift {
     pub(super) modulus: BigInt,
     pub(super) factors: Vec<Integers>,
 }
@@ -23,7 +23,7 @@ pub(super) fn lift(
     whole: &Integers,
     bound: &BigInt,
     budget: &mut Budget,
-) -> Result<Lifted, OverBudget> {
+) -> Result<HenselLift, OverBudget> {
     let prime = BigInt::from(field.prime());
     let inverses = dense::partial_fractions(field, factors).expect("the image is square-free");
     let mut next = prime.clone();
@@ -44,14 +44,14 @@ pub(super) fn lift(
             whole.iter().zip(&so_far).map(|(a, b)| residue(field, &((a - b) / &modulus))).collect(),
         );
         for ((factor, image), inverse) in lifted.iter_mut().zip(factors).zip(&inverses) {
-            let step = dense::rest(field, &dense::product(field, &error, inverse), image);
+            let step = dense::remainder(field, &dense::product(field, &error, inverse), image);
             for (coefficient, &digit) in factor.iter_mut().zip(&step) {
                 *coefficient += &modulus * digit;
             }
         }
         modulus = next;
     }
-    Ok(Lifted { modulus, factors: lifted })
+    Ok(HenselLift { modulus, factors: lifted })
 }
 
 fn residue(field: PrimeField, value: &BigInt) -> u64 {
@@ -69,7 +69,7 @@ pub(super) fn product(a: &Integers, b: &Integers, modulus: &BigInt) -> Integers 
 }
 
 /// Returns the residue of `value` modulo `modulus` with the least absolute value.
-pub(super) fn symmetric(value: &BigInt, modulus: &BigInt) -> BigInt {
+pub(super) fn symmetric_residue(value: &BigInt, modulus: &BigInt) -> BigInt {
     let residue = value.mod_floor(modulus);
     if &residue * 2 > *modulus { residue - modulus } else { residue }
 }

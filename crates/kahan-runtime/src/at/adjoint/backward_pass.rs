@@ -2,7 +2,7 @@
 
 use kahan_core::{Composition, Scalar};
 
-use crate::engine::{Object, Transposed, stage_constants};
+use crate::engine::{MapObject, TransposedSolver, stage_constants};
 use crate::follow::is_within;
 use crate::{MapAt, RuntimeFloat};
 
@@ -18,7 +18,7 @@ pub(super) struct BackwardPass<'a, T: RuntimeFloat> {
     distinct: Vec<(MapAt<T>, T)>,
     /// The terms of the field; `None` if coefficients depend on ε.
     terms: Option<Terms<T>>,
-    solver: Transposed<'a, T>,
+    solver: TransposedSolver<'a, T>,
     /// The entries of f′ at the points before and after a stage.
     slopes: [Vec<T>; 2],
     room: Vec<T>,
@@ -104,7 +104,7 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();
         let mut jacobian = vec![T::zero(); n * n];
-        map.engine().evaluate(Object::Jacobian, &map.constants, x, &mut jacobian);
+        map.engine().evaluate(MapObject::Jacobian, &map.constants, x, &mut jacobian);
         let by = |k: usize| {
             let slopes = map.engine().by_constant(&map.constants, k, x);
             slopes.iter().zip(&gradient.start).fold(T::zero(), |sum, (slope, weight)| sum + *slope * *weight)

@@ -8,13 +8,14 @@ use kahan_algebra::token::TokenKind;
 /// Puts those of the `definitions` that a statement uses in front of the statement.
 pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
     let pieces: Vec<&str> = definitions.split(';').map(str::trim).filter(|piece| !piece.is_empty()).collect();
-    let own: BTreeSet<String> = statement.split(';').filter_map(defined).collect();
+    let own: BTreeSet<String> = statement.split(';').filter_map(defined_name).collect();
     let mut used = identifiers(statement);
     let mut kept = vec![false; pieces.len()];
     loop {
         let before = used.len();
         for (piece, kept) in pieces.iter().zip(&mut kept) {
-            if !*kept && defined(piece).is_some_and(|name| used.contains(&name) && !own.contains(&name)) {
+            if !*kept && defined_name(piece).is_some_and(|name| used.contains(&name) && !own.contains(&name))
+            {
                 *kept = true;
                 used.extend(identifiers(piece));
             }
@@ -28,7 +29,7 @@ pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
 }
 
 /// Returns the name that a piece of text defines, if any.
-fn defined(piece: &str) -> Option<String> {
+fn defined_name(piece: &str) -> Option<String> {
     let (left, _) = piece.split_once(":=")?;
     identifier_tokens(left).into_iter().next()
 }

@@ -8,7 +8,7 @@ use kahan_dynamics::Precision;
 use kahan_jit::{Input, Program};
 
 use crate::engine::{
-    EliminationPattern, Engine, MachineFloat, Object, Scratch, Step, into_matrix, jacobian_by_duals,
+    EliminationPattern, Engine, MachineFloat, MapObject, Scratch, Step, into_matrix, jacobian_by_duals,
 };
 use crate::line::Line;
 
@@ -154,26 +154,26 @@ impl TangentKind {
 /// Returns the tangent vector at the next point, from a state as in [`Object::Tangent`].
 fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]) -> Option<Vec<Traced<T>>> {
     let [prepared, _] = engine.steps().form(kind.is_general).lines()?;
-    let (line, first) = (engine.line(Object::Tangent)?, prepared.outputs());
+    let (line, first) = (engine.line(MapObject::Tangent)?, prepared.outputs());
     let count = engine.derived.system.field.symbols.parameters.len() + 1;
     let constants = (first..first + count).map(|k| Traced::input(Input::Constant(k)));
     Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
 }
 
 /// Returns the program that computes an object with a straight-line program from a state.
-pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
+pub(super) fn object<T: MachineFloat>(object: MapObject, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();
-        let points = if object == Object::Tangent { 4 } else { 1 };
+        let points = if object == MapObject::Tangent { 4 } else { 1 };
         let (state, constants) = (Traced::<T>::states(0..points * n), constants(engine));
         match object {
-            Object::Matrix => {
+            MapObject::Matrix => {
                 let mut slopes =
-                    results(engine.line(engine.at_eps(Object::FieldJacobian))?, &constants, &state);
+                    results(engine.line(engine.at_eps(MapObject::FieldJacobian))?, &constants, &state);
                 into_matrix(&mut slopes, constants[constants.len() - 1], n);
                 Some(slopes)
             }
-            Object::Jacobian => {
+            MapObject::Jacobian => {
                 let step = engine.steps().of_duals();
                 step.lines()?;
                 let mut slopes = vec![state[0]; n * n];
@@ -199,7 +199,7 @@ pub(super) fn prepared<T: MachineFloat>(engine: &Engine, is_general: bool) -> Op
 pub(super) fn integrals_behind_the_state<T: MachineFloat>(engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let state = Traced::<T>::states(0..engine.dimension());
-        let integrals = results(engine.line(Object::Integrals)?, &constants(engine), &state);
+        let integrals = results(engine.line(MapObject::Integrals)?, &constants(engine), &state);
         Some([state, integrals].concat())
     })
 }

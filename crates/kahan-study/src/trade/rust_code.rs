@@ -6,7 +6,7 @@ use kahan_dynamics::{Precision, Setting};
 use crate::study::Study;
 
 /// Writes the orbit of a setting as a statement, preceded by the block of a user's field.
-pub(super) fn rust_of(
+pub(super) fn rust_statement(
     study: &Study,
     parameters: &[Rational],
     start: &[Rational],

@@ -33,21 +33,22 @@ struct GuardNotes {
 }
 
 thread_local! {
-    static NOTES: RefCell<GuardNotes> = RefCell::default();
+    static GUARD_NOTES: RefCell<GuardNotes> = RefCell::default();
 }
 
-/// A divisor a with 2^−DIVISORS < |a| < 2^DIVISORS causes neither overflow nor underflow.
-const DIVISORS: i32 = 400;
+/// A divisor a with 2^−DIVISOR_EXPONENT < |a| < 2^DIVISOR_EXPONENT causes neither overflow nor
+/// underflow.
+const DIVISOR_EXPONENT: i32 = 400;
 
 /// Traces the numbers that `compute` returns, as two doubles each; the last result is the guard.
 pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) -> Option<Program> {
-    NOTES.set(GuardNotes { fuses, ..GuardNotes::default() });
+    GUARD_NOTES.set(GuardNotes { fuses, ..GuardNotes::default() });
     traced::program(|| {
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::input(Input::State(results.len()));
         // The checks are summed separately, so that their sum does not wait for the previous step.
-        let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
+        let noted = GUARD_NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
         Some(results)
     })
@@ -58,19 +59,20 @@ fn power_of_two(exponent: i32) -> f64 {
 }
 
 fn fuses() -> bool {
-    NOTES.with_borrow(|notes| notes.fuses)
+    GUARD_NOTES.with_borrow(|notes| notes.fuses)
 }
 
 /// Sets the guard to NaN unless |a|·2^exponent is finite.
 fn guard_below(a: Double, exponent: i32) {
     let note = a * Double::number(power_of_two(exponent)) * Double::number(0.0);
-    NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
+    GUARD_NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
 }
 
-/// Sets the guard to NaN unless 2^−DIVISORS < |a| < 2^DIVISORS. The argument `inverse` is near 1/a.
+/// Sets the guard to NaN unless 2^−DIVISOR_EXPONENT < |a| < 2^DIVISOR_EXPONENT. The argument
+/// `inverse` is near 1/a.
 fn note_moderate(a: Double, inverse: Double) {
-    guard_below(a, 1024 - DIVISORS);
-    guard_below(inverse, 1024 - DIVISORS);
+    guard_below(a, 1024 - DIVISOR_EXPONENT);
+    guard_below(inverse, 1024 - DIVISOR_EXPONENT);
 }
 
 /// Sets the guard to NaN unless |leading| < 2^1022.
@@ -148,8 +150,8 @@ impl Pair {
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {
-            NOTES.with_borrow_mut(|notes| notes.moderate.push(leading));
-        } else if !NOTES.with_borrow(|notes| notes.moderate.contains(&self.high)) {
+            GUARD_NOTES.with_borrow_mut(|notes| notes.moderate.push(leading));
+        } else if !GUARD_NOTES.with_borrow(|notes| notes.moderate.contains(&self.high)) {
             note_moderate(self.high, Double::number(1.0) / self.high);
         }
         let correction = self.low.subtract_product(leading, divisor.low);

@@ -3,9 +3,9 @@
 
 use std::vec::Vec;
 
-use crate::scalar::{LongNumber, level_row};
+use crate::scalar::{LongNumber, equilibrate_row};
 
-use super::folded::Folded;
+use super::folded::FoldedBand;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
@@ -28,13 +28,13 @@ pub(super) fn eliminated<M: LatticeMap<T>, T: LatticeScalar>(
     let sites = x.len() / block;
     let is_ring = map.boundary() == Boundary::Periodic;
     let mut site = Site::of(map.sizes());
-    let mut folded = Folded::with_little_memory(x.len(), is_ring, lower, upper);
+    let mut folded = FoldedBand::with_little_memory(x.len(), is_ring, lower, upper);
     let velocity = folded.solve(|unknown, row| {
         let (i, b) = (unknown / block, unknown % block);
         site.rows(map, &constants, x, i, long);
         let mut right = site.f(b).clone();
         let mut entries: Vec<(usize, LongNumber)> = site.row(map, sites, b).collect();
-        level_row(entries.iter_mut().map(|(_, entry)| entry), &mut right);
+        equilibrate_row(entries.iter_mut().map(|(_, entry)| entry), &mut right);
         row.add_right(right);
         entries.into_iter().for_each(|(column, entry)| row.add(column, entry));
     })?;
