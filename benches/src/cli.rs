@@ -80,7 +80,7 @@ enum What {
     RunOne { system: String, contender: usize, steps: usize },
 }
 
-/// Runs the command; returns whether all limits hold.
+/// Runs the command. Returns whether all measured figures are within their limits.
 pub(crate) fn run() -> Result<bool> {
     let cli = Cli::parse();
     let effort = Effort::new(cli.quick);

@@ -32,9 +32,9 @@ pub(crate) struct Cost {
     /// The name of the system, and whether the block has claims.
     pub(crate) block: String,
     pub(crate) expansion: f64,
-    /// The additional compiler time in an unoptimised build, including the macro.
+    /// The compiler time of the block in an unoptimised build, minus that of an empty crate.
     pub(crate) debug: f64,
-    /// The additional compiler time in an optimised build.
+    /// The compiler time of the block in an optimised build, minus that of an empty crate.
     pub(crate) release: f64,
 }
 

@@ -39,7 +39,7 @@ impl Contender {
         Self { name, role, run: Box::new(run) }
     }
 
-    /// Makes a contender from `orbit`, which takes an initial state and a number of steps.
+    /// Makes a contender from a function `orbit` of an initial state and a number of steps.
     pub(crate) fn of_orbit<const N: usize>(
         name: &'static str,
         role: Role,

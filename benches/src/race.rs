@@ -29,7 +29,7 @@ pub(crate) struct Quartiles {
 }
 
 impl Quartiles {
-    /// Returns the quartiles. Panics without values.
+    /// Returns the quartiles. Panics if there are no values.
     pub(crate) fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         let at = |quarter: usize| values[(values.len() - 1) * quarter / 4];
@@ -111,7 +111,7 @@ pub(crate) fn least_times<E>(
 fn calibrate(sample: Duration, mut seconds: impl FnMut(usize) -> f64) -> usize {
     let mut units = 1;
     loop {
-        // The least of three trials counts, because an interrupted trial gives too few units.
+        // The least of three times is used, because an interruption makes a time too long.
         let taken = (0..3).map(|_| seconds(units)).fold(f64::INFINITY, f64::min);
         if taken > 0.1 * sample.as_secs_f64() {
             return ((units as f64 * sample.as_secs_f64() / taken) as usize).max(1);

@@ -33,7 +33,7 @@ const PROMISES: [(&str, &str, &str); 6] = [
     ("f32", "`f32`", "the fast tier with u = 2⁻²⁴"),
 ];
 
-/// The systems in the table of speed: each name in the code, and in the table.
+/// The systems in the table of speed, each with its name in the code and its name in the table.
 const NAMES: [(&str, &str); 8] = [
     ("LotkaVolterra", "Lotka–Volterra"),
     ("EulerTop", "Euler top"),

@@ -9,7 +9,7 @@ use crate::contender::{Contender, Role};
 use crate::journey::{Journey, journeys};
 use crate::rivals::{lu, midpoint, runge_kutta};
 
-/// The contender that has a limit of its own.
+/// The name of the contender that solves Kahan's equations by LU, whose latency has a limit.
 pub(crate) const STATIC_LU: &str = "Kahan by SMatrix LU";
 
 pub(crate) struct System {

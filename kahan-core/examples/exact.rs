@@ -18,7 +18,8 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// Returns the number of digits in the denominator of x after each step. Also checks steps back.
+/// Returns the number of digits in the denominator of x after each step. Also asserts that as many
+/// steps back lead to the start.
 fn digits<const N: usize>(map: &impl KahanMap<BigRational, N>, x: [(i64, i64); N]) -> Vec<usize> {
     let start = SVector::from(x.map(|(p, q)| BigRational::new(p.into(), q.into())));
     let eps = BigRational::new(1.into(), 3.into());
@@ -28,7 +29,7 @@ fn digits<const N: usize>(map: &impl KahanMap<BigRational, N>, x: [(i64, i64); N
     points[1..].iter().map(|x| x[0].denom().to_string().len()).collect()
 }
 
-/// Prints and returns the numbers of digits along both orbits.
+/// Prints and returns the numbers of digits for one orbit of each system.
 pub(crate) fn run() -> [Vec<usize>; 2] {
     let grown = [digits(&E6, [(3, 7), (11, 13), (23, 47)]), digits(&LotkaVolterra, [(1, 2), (5, 3)])];
     println!("E6             {:?}\nLotka–Volterra {:?}", grown[0], grown[1]);

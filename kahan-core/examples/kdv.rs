@@ -81,7 +81,7 @@ fn picture(profiles: &[Vec<f64>]) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" \
          font-size=\"13\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n"
     );
-    // The last time is drawn first, behind the other times.
+    // Draws the last profile first, so that all earlier profiles lie in front of it.
     for (k, profile) in profiles.iter().enumerate().rev() {
         let base = height - 24.0 - gap * k as f64;
         let mut points = format!("8,{base:.1}");

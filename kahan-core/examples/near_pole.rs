@@ -12,7 +12,7 @@ kahan! {
     xdot = x^2;
 }
 
-/// Prints and returns the results of both steps at several ε.
+/// Prints and returns the results of `step` and `try_step` at several ε.
 pub(crate) fn run() -> Vec<(f64, Result<f64, SingularStep>)> {
     let x = vector![5.0];
     // The cases lie before the pole, very near it, behind it, and on it.

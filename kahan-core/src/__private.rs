@@ -1,7 +1,7 @@
 //! The interface for generated code, which is neither public nor stable and changes with the macro.
 //!
-//! Generated code names items only through this module. Therefore it works in scopes without a
-//! prelude and beside user types called `Option` or `Clone`.
+//! Generated code names items of this crate through this module, and items of `core` by absolute
+//! paths. Therefore it works without a prelude, and beside user types called `Option` or `Clone`.
 
 pub use core;
 pub use core::clone::Clone;
@@ -77,8 +77,8 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions with the names of the arguments of generated methods. Generated code imports them,
-/// because a user's constant of an equal name would otherwise make the argument a constant pattern.
+/// Functions with the names of the arguments of generated methods. Generated code imports them to
+/// hide constants of the user, because a constant `x` would turn the argument `x` into a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}

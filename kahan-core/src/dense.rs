@@ -2,7 +2,8 @@
 //!
 //! [`velocity`] computes A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). The operations run in the order of
 //! [`Couplings`](crate::__private::Couplings), for any number of lanes. Products xⱼxₖ that do not
-//! occur in f have the coefficient 0, which changes at most the signs of zeros.
+//! occur in f have the coefficient 0. If all products are finite, such terms change at most the
+//! signs of zeros.
 
 mod points;
 #[cfg(test)]
@@ -74,7 +75,7 @@ pub struct Workspace<T> {
     /// The matrix A(x,ε) column by column, followed by f(x).
     columns: Vec<T>,
     factors: Vec<T>,
-    /// The pivots that are small beside their column. Their rows are compared at the end.
+    /// The pivots with a large factor below them. The rows of these pivots are tested at the end.
     suspects: Vec<usize>,
 }
 

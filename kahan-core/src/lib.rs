@@ -5,8 +5,8 @@
 //! Q(x,x̃) + ½B(x + x̃) + c. This equation is linear in x̃. The inverse map has −ε in place of ε.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
-//! `kahan-algebra` handles syntax, polynomials and claims at compile time. `kahan-dynamics` finds
-//! periodic points, step sizes for a tolerance, and exact solutions.
+//! `kahan-algebra` handles polynomials and claims at compile time. `kahan-dynamics` finds periodic
+//! points, settings for a tolerance, and accurate solutions of ẋ = f(x).
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -20,7 +20,7 @@
 //! let (start, eps) = (vector![0.5, 1.7], 0.05);
 //! let next = LotkaVolterra.step(&start, eps);
 //! assert!((LotkaVolterra.step_back(&next, eps) - start).norm() < 1e-15);
-//! let after_a_hundred = LotkaVolterra.orbit(start, eps).compensated().nth(1000);
+//! let after_a_thousand = LotkaVolterra.orbit(start, eps).compensated().nth(1000);
 //! ```
 //!
 //! # Every day
@@ -62,7 +62,7 @@
 //!
 //! With the feature `serde` numbers, points, crossings and reports are serialisable. `serde_json`
 //! needs its feature `float_roundtrip` to read back every bit. Without default features the crate
-//! is `no_std`. Float scalars never allocate.
+//! is `no_std`. Operations of float scalars allocate nothing.
 
 #![no_std]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]

@@ -321,8 +321,8 @@ impl<T: InLanes> OverLanes<T> for PanelWork<'_, T> {
     }
 }
 
-/// Returns the limit of magnitudes that are negligible beside `largest`, or 0 if this limit is not
-/// finite.
+/// Returns the magnitude below which entries are negligible beside `largest`, or 0 if this
+/// magnitude is not finite.
 #[inline(always)]
 fn negligible<T: InLanes>(largest: T) -> T {
     let limit = largest * T::NEGLIGIBLE;

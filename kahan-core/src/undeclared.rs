@@ -13,7 +13,7 @@ use crate::SingularStep;
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 
-/// States that the block of S declares an integral. No type implements this trait.
+/// A bound that never holds: rustc prints this message if the block of S declares no integral.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no integral",
     label = "declare one in the block: `integral H = …;`",
@@ -21,7 +21,7 @@ pub struct Block;
 )]
 pub trait DeclaresIntegral<S: ?Sized, T> {}
 
-/// States that the block of S declares a density. No type implements this trait.
+/// A bound that never holds: rustc prints this message if the block of S declares no density.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no density",
     label = "declare one in the block: `density rho = …;`",
@@ -29,7 +29,7 @@ pub trait DeclaresIntegral<S: ?Sized, T> {}
 )]
 pub trait DeclaresDensity<S: ?Sized, T> {}
 
-/// States that the parameters of S are scalars. No type implements this trait.
+/// A bound that never holds: rustc prints this message if the parameters of S are no scalars.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{S}` are integers, and a Kahan map computes with fractions",
     label = "its parameters are integers: write `1.0`, not `1`",
@@ -43,7 +43,7 @@ fn unanswered() -> ! {
 
 /// The methods that a block without integrals gets.
 pub trait WithoutIntegrals {
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
     where
         Block: DeclaresIntegral<Self, T>,
@@ -54,7 +54,7 @@ pub trait WithoutIntegrals {
 
 /// The methods that a block without a density gets.
 pub trait WithoutDensity {
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn density<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> T
     where
         Block: DeclaresDensity<Self, T>,
@@ -65,7 +65,7 @@ pub trait WithoutDensity {
 
 /// The methods that a system with integer parameters gets.
 pub trait IntegerParameters {
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -73,7 +73,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn step_back<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -82,7 +82,7 @@ pub trait IntegerParameters {
     }
 
     #[allow(clippy::missing_errors_doc, reason = "it returns nothing")]
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn try_step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
     where
         Block: HasScalars<Self, T>,
@@ -90,7 +90,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn orbit<T, const N: usize>(&mut self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
     where
         Block: HasScalars<Self, T>,
@@ -98,7 +98,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn at<T>(&mut self, _: T)
     where
         Block: HasScalars<Self, T>,
@@ -106,7 +106,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn field<T, const N: usize>(&mut self, _: &SVector<T, N>) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -114,7 +114,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Fails to compile, whatever the arguments are.
+    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
     fn jacobian<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
     where
         Block: HasScalars<Self, T>,

@@ -13,7 +13,7 @@ pub struct Unavailable<F>(PhantomData<F>);
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FeatureExact;
 
-/// States that a feature is enabled. No type implements this trait.
+/// A bound that never holds. rustc prints this message if a call requires a missing feature.
 #[diagnostic::on_unimplemented(
     message = "`BigRational` needs the feature `exact` of `kahan-core`",
     label = "enable it in Cargo.toml: `kahan-core = {{ …, features = [\"exact\"] }}`"

@@ -22,7 +22,6 @@ fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], workspace: &mut Workspa
         one_by_one = Step::next(&map, &one_by_one, workspace).unwrap();
     }
     assert_eq!(x, one_by_one);
-    // The method `part` can also take a whole step or an empty step.
     let (mut whole, mut none) = (start.to_vec(), start.to_vec());
     map.part(&EPS, &mut whole, workspace).unwrap();
     assert_eq!(Some(whole), Step::next(&map, &start.to_vec(), workspace));
@@ -46,7 +45,7 @@ fn every_map_has_the_bits_of_its_own_methods() {
         assert_eq!(advanced(&plain, &start, &mut workspace), expected.as_slice());
         let expected = composed.orbit(start.into()).nth(STEPS as usize).unwrap();
         assert_eq!(advanced(&composed, &start, &mut workspace), expected.as_slice());
-        // The longer chain is stepped in parts.
+        // The longer chain is divided into parts.
         for sites in [3, 700] {
             let growth = |k: usize| vec![1.0 + 0.01 * k as f64; sites];
             chain(&Ring, sites, &mut workspace);

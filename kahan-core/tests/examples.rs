@@ -37,7 +37,7 @@ fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
 #[test]
 fn springs_lose_their_common_phase_and_keep_their_energies() {
     let (mean, change) = ensemble::run();
-    // The mean velocity starts at 0.3.
+    // The mean velocity decays from 0.3.
     assert!(mean.abs() < 0.06, "{mean}");
     assert!(change < 1e-12, "{change:e}");
 }

@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use kahan_runtime::{Field, Follow, MapAt, threads};
 
-/// The number of trajectories that a thread takes at once; their columns stay in its cache.
+/// The number of trajectories that a thread computes together. Their columns fit into its cache.
 const TOGETHER: usize = 1024;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Computes all points of an orbit, into fresh memory.
+/// Computes all points of an orbit, and writes them to newly allocated memory.
 fn each(at: &MapAt<f64>, steps: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     let mut x = [0.3, 0.8, 0.5];
     let mut rows = vec![0.0; 3 * steps];
@@ -49,7 +49,7 @@ fn last(at: &MapAt<f64>, steps: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     Ok(x.to_vec())
 }
 
-/// Returns z of the last points of many trajectories, whose columns are fresh memory.
+/// Allocates columns for many trajectories, and returns z of their last points.
 fn ensemble(
     at: &MapAt<f64>,
     trajectories: usize,

@@ -1,6 +1,7 @@
 //! Converts NumPy arrays to slices, and words the errors of such conversions.
 //!
-//! Arrays of `float64` and `float32` in C order are used without a copy.
+//! Arrays of `float64` in C order are used without a copy. Functions of single precision also use
+//! `float32` without a copy.
 
 use kahan_study::columns::{ExpectedColumns, OtherColumns};
 use kahan_study::numbers::number;
@@ -135,7 +136,7 @@ fn readonly<'py, T: Element>(
     borrowed.map_err(|error| PyValueError::new_err(format!("{name}: {error}; give a copy of it")))
 }
 
-/// Checks the order, the sizes and the type of an array for results.
+/// Checks the memory order, the shape and the type of an array for results.
 pub(crate) fn out<'py, T: Element>(
     given: &Bound<'py, PyAny>,
     sizes: &[usize],

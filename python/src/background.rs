@@ -75,7 +75,7 @@ impl Caller {
         work(self)
     }
 
-    /// Waits for the work, and reports news. An exception in Python ends the work.
+    /// Waits for the work, and reports progress and findings. A Python exception ends the work.
     fn wait(&self, py: Python<'_>, listener: &Listener<'_>) -> PyResult<()> {
         let mut told = Instant::now();
         while !self.is_done.load(Ordering::Acquire) {
@@ -139,7 +139,7 @@ impl Listener<'_> {
 /// Does work on another thread, and releases the interpreter's lock meanwhile.
 ///
 /// # Errors
-/// An exception of a signal handler or of the listener, or a panic of the work.
+/// Fails if a signal handler or the listener raises an exception, or if the work panics.
 pub(crate) fn run_watched<R: Send>(
     py: Python<'_>,
     threads: Option<usize>,
@@ -158,8 +158,8 @@ pub(crate) fn run_watched<R: Send>(
     })
 }
 
-/// Works like [`run_watched`] on one thread. Short work is done on the caller's thread, because
-/// starting a thread takes some tens of microseconds.
+/// Works like [`run_watched`], but does short work on the caller's thread, because starting a
+/// thread takes some tens of microseconds.
 pub(crate) fn run_watched_if_long<R: Send>(
     py: Python<'_>,
     numbers: u64,

@@ -17,7 +17,7 @@ use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// The number of trajectories that a thread takes at once, so that they fit in its cache.
+/// The number of trajectories that a thread computes together, so that they fit into its cache.
 const TOGETHER: usize = 1024;
 /// The number of steps, summed over all trajectories, between two checks for signals.
 const AT_ONCE: u64 = 1 << 22;
@@ -233,7 +233,7 @@ impl<T: Float> Trajectories<T> {
         Ok(())
     }
 
-    /// Advances the trajectories that one thread takes; the first of them has the number `first`.
+    /// Advances the trajectories of one thread; the first of them has the number `first`.
     fn piece(
         &self,
         rows: &mut [T],
@@ -307,7 +307,7 @@ impl<'a, T: Float> ThreadColumns<'a, T> {
         Ok(())
     }
 
-    /// Writes the current points; each row takes the point of one trajectory.
+    /// Writes the current points, one trajectory to each row.
     pub(crate) fn put<'r>(&self, rows: impl Iterator<Item = &'r mut [T]>)
     where
         T: 'r,
@@ -325,7 +325,8 @@ impl<'a, T: Float> ThreadColumns<'a, T> {
         (0..count).filter(|k| step.is_beyond(&point(*k))).collect()
     }
 
-    /// Returns how each trajectory ended. Without steps, only starts that are not finite end early.
+    /// Returns how each trajectory ended. Without steps, only trajectories from points that are not
+    /// finite end early.
     pub(crate) fn ends(mut self) -> Result<Vec<End>, DimensionError> {
         if self.made == 0 {
             self.follow(0)?;

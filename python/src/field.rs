@@ -166,8 +166,8 @@ impl Field {
     }
 }
 
-/// The kind of a lift, the names and values of the start, the time of the start, and whether arrays
-/// have the new variables.
+/// The kind of a lift, the names and values of the initial point, the initial time, and whether
+/// arrays have the new variables.
 type Lift = (String, Option<(Vec<String>, Vec<String>)>, String, bool);
 
 fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
@@ -312,7 +312,7 @@ impl Field {
         Ok(found.map(|found| serde_json::to_string(&found).expect("answers are JSON")))
     }
 
-    /// The time at the start, and the index of `t` among all variables if `t` was lifted.
+    /// The initial time, and the index of `t` among all variables if the lift made it a variable.
     #[getter(_time)]
     fn time(&self) -> (f64, Option<usize>) {
         (self.study.time().to_f64(), self.study.time_place())
@@ -366,7 +366,7 @@ impl Field {
         Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
     }
 
-    /// Returns a warning about a lift that was chosen without a start, for the orbit of `x`.
+    /// If the lift was chosen without an initial point, may return a warning for the orbit of `x`.
     #[pyo3(name = "_relations_warning")]
     fn relations_warning(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -374,7 +374,7 @@ impl Field {
         Ok(at.and_then(|at| self.study.relations_warning(&at, eps.0)))
     }
 
-    /// Returns a note on components that steps do not resolve at some of the points `x`.
+    /// Returns a note if some components change too fast for steps at some of the points `x`.
     #[pyo3(name = "_rates_note")]
     fn rates_note(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -391,7 +391,7 @@ impl Field {
         self.study.notes().iter().cloned().chain(warning).collect()
     }
 
-    /// The first point in the text of the field, as numbers in text form.
+    /// The initial point in the text of the field. Its coordinates are given as text.
     #[getter(_start)]
     fn start(&self) -> Option<Vec<String>> {
         Some(self.study.start()?.iter().map(Rational::to_string).collect())

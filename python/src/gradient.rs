@@ -13,8 +13,8 @@ use crate::orbit::{composition, stride};
 
 #[pymethods]
 impl Field {
-    /// Returns the derivatives of a scalar with respect to the start, the parameters and eps.
-    /// `weights` are the derivatives of the scalar with respect to the rows of the orbit.
+    /// Returns the derivatives of a scalar with respect to the initial point, the parameters and
+    /// eps. `weights` are the derivatives of the scalar with respect to the rows of the orbit.
     #[pyo3(name = "_gradient", signature = (x, eps, weights, *, every = 1, order = 2, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn gradient(

@@ -212,7 +212,8 @@ where
             let mut left = every;
             while left > 0 {
                 let now = left.min(MOMENT);
-                // At a pole the vectors become infinite or NaN, and later rows are still computed.
+                // At a pole the vectors become infinite or NaN. The error is ignored, and later
+                // rows follow.
                 let _ = with.advance(&mut state, now, &mut room);
                 left -= now;
                 if (now == MOMENT || row % MOMENT as usize == 0) && caller.made(now, steps).is_break() {

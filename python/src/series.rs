@@ -14,7 +14,7 @@ use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::{room, stride, zeros};
 
-/// The number of trajectories that a thread takes at once, so that its rows stay in the cache.
+/// The number of trajectories that a thread computes together, so that the rows fit into its cache.
 const TOGETHER: usize = 128;
 
 #[pymethods]

@@ -80,7 +80,7 @@ pub fn all() -> impl Iterator<Item = &'static Entry> {
     SYSTEMS.iter().chain(FURTHER)
 }
 
-/// Finds a system by its command name or its type name, in any case.
+/// Finds a system by its command name or type name, in upper or lower case.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
     all().find(|entry| name.eq_ignore_ascii_case(entry.command) || name.eq_ignore_ascii_case(entry.type_name))

@@ -9,7 +9,7 @@ use crate::exact::{Matrix, Q, Vector};
 pub use generated::Generated;
 pub use interpreter::{Interpreted, Read};
 
-/// The objects of Kahan's method for a system, at a point.
+/// The quantities of Kahan's method for a system, each evaluated at a point.
 pub trait BackEnd {
     /// Returns the back end's name, for messages.
     fn label(&self) -> String;
@@ -39,10 +39,11 @@ pub trait BackEnd {
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q);
     /// Returns the points of an orbit before a pole, and whether a pole ended the orbit.
     fn orbit(&self, x: &[Q], eps: &Q, steps: usize) -> (Vec<Vector>, bool);
-    /// Returns the integrals without a condition, in order. `None` where one of them is undefined.
+    /// Returns the integrals claimed without a condition, in order. `None` where one of them is
+    /// undefined.
     fn integrals(&self, x: &[Q], eps: &Q) -> Option<Vector>;
-    /// Returns the density without a condition. `None` if it is undefined or not declared.
+    /// Returns the density claimed without a condition. `None` if it is undefined or not declared.
     fn density(&self, x: &[Q], eps: &Q) -> Option<Q>;
-    /// Returns a bracket without a condition. `None` if it is undefined or not declared.
+    /// Returns a bracket claimed without a condition. `None` if it is undefined or not declared.
     fn bracket(&self, name: &str, x: &[Q], eps: &Q) -> Option<Matrix>;
 }

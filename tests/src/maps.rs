@@ -21,7 +21,7 @@ pub trait Steps<T> {
     fn try_step(&self, x: &[T], eps: T) -> Result<Vec<T>, SingularStep>;
 }
 
-/// The objects of Kahan's method for a map.
+/// The quantities of Kahan's method for a map.
 pub trait Map<T>: Steps<T> {
     /// Returns the field f(x).
     fn field(&self, x: &[T]) -> Vec<T>;

@@ -44,7 +44,7 @@ pub struct Place {
     pub next: Vector,
 }
 
-/// Error bounds for float steps, which use the closed form or elimination.
+/// Error bounds for steps over floats, by the closed form or by elimination.
 #[derive(Debug)]
 pub struct StepBound<'a> {
     field: &'a Field,

@@ -19,7 +19,7 @@ const WIDTH: usize = 100;
 /// The greatest number of lines before the first section, table or example of a module's head.
 const HEAD: usize = 8;
 
-/// Returns false for folders with builds, the code of others, or generated code.
+/// Returns false for folders with builds, third-party code, or generated code.
 fn is_written_here(folder: &str) -> bool {
     !folder.starts_with('.') && !["target", "expected", "golden", "node_modules"].contains(&folder)
 }

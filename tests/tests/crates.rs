@@ -201,7 +201,7 @@ fn what_programs_and_the_wheel_share_is_compiled_once() {
     let first = units(&["build", "--release", "--bin=kahan-verify"]);
     assert!(first.len() <= FIRST_UNITS, "{} units: {first:?}", first.len());
     let command = units(&["build", "--release", "--package=kahan-cli"]);
-    // maturin makes this call.
+    // maturin builds the wheel by this call.
     let wheel =
         units(&["rustc", "--release", "--package=kahan-python", "--lib", "--features=pyo3/extension-module"]);
     for name in SHARED {

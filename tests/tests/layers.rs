@@ -11,7 +11,7 @@ use kahan_tests::sources::{root, rust_files};
 struct Layered {
     folder: &'static str,
     name: &'static str,
-    /// The module, with names of its root file that all layers may use. `None` for a crate.
+    /// The module, and the names in its root file that all layers may use. `None` for a crate.
     module: Option<(&'static str, &'static [&'static str])>,
     /// The names of the layers from bottom to top. No layer may use files that are not listed.
     layers: &'static [&'static str],

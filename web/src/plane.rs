@@ -79,7 +79,7 @@ pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), S
 
 /// The largest number of equilibria in an answer, because some fields have whole curves of them.
 const MOST: usize = 12;
-/// Newton's method takes at most this many steps.
+/// Newton's method makes at most this many steps.
 const STEPS: usize = 60;
 
 struct Equilibrium {

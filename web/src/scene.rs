@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 const ORBITS: usize = 5;
 /// The smallest fraction of the picture's area that the box around an orbit must fill.
 const SHARE: f64 = 0.25;
-/// The multiples of a first point that are tried as further first points.
+/// The factors by which a given initial point is multiplied to get further initial points.
 const MULTIPLES: [(i64, i64); 11] =
     [(3, 4), (1, 2), (5, 4), (3, 2), (7, 8), (9, 8), (2, 1), (1, 4), (-1, 2), (-3, 4), (-1, 1)];
 /// The parameter values that are tried, row by row. A row that is too short is repeated.
@@ -26,7 +26,7 @@ pub(crate) fn scene(study: &Study) -> Result<Value, StudyError> {
     if shown.stays {
         stay.push(shown.clone());
         for start in starts(&shown.start) {
-            // A function of a lift may be undefined at this start.
+            // A function of a lift may be undefined at this initial point.
             let Ok(orbit) = study.shown_orbit(Some(&shown.eps), Some(&start)) else { continue };
             if orbit.stays && orbit.eps == shown.eps {
                 stay.push(orbit);
@@ -38,7 +38,7 @@ pub(crate) fn scene(study: &Study) -> Result<Value, StudyError> {
         chosen =
             std::iter::once(shown.start.clone()).chain(starts(&shown.start).into_iter().take(2)).collect();
     }
-    // If the text itself gives a first point, this point comes first.
+    // If the text itself gives an initial point, this point comes first.
     if let Some(own) = study.start() {
         chosen.retain(|start| *start != own);
         chosen.insert(0, own);
@@ -81,7 +81,7 @@ fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit),
     Ok(first.expect("some values were tried"))
 }
 
-/// The coordinates of the first point that is tried.
+/// The coordinates of the initial point that is tried first.
 const UNITS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 
 /// Returns a wide, bounded orbit of a point of size 1, or else the library's choice of an orbit.
@@ -102,7 +102,7 @@ fn first_orbit(study: &Study) -> Result<ShownOrbit, StudyError> {
     }
 }
 
-/// Returns further first points: multiples of a given one, and points with one coordinate changed.
+/// Returns further initial points: multiples of `start`, and points with one coordinate changed.
 fn starts(start: &[Rational]) -> Vec<Vec<Rational>> {
     let multiples = MULTIPLES.iter().map(|&(above, below)| {
         let times = Rational::new(above, below);
@@ -118,7 +118,7 @@ fn starts(start: &[Rational]) -> Vec<Vec<Rational>> {
     multiples.chain(changed).collect()
 }
 
-/// Returns the two variables in which most orbits are wide, and the first points of these orbits.
+/// Returns the two variables in which most orbits are wide, and the initial points of these orbits.
 fn plane(orbits: &[ShownOrbit], variables: usize) -> (Vec<usize>, Vec<Vec<Rational>>) {
     if variables < 2 {
         return (Vec::new(), wide(orbits, &[0]));
@@ -134,8 +134,8 @@ fn plane(orbits: &[ShownOrbit], variables: usize) -> (Vec<usize>, Vec<Vec<Ration
     best
 }
 
-/// Returns the first points of at most [`ORBITS`] orbits. The box of each orbit fills at least the
-/// fraction [`SHARE`] of the box around all of these orbits.
+/// Returns the initial points of at most [`ORBITS`] orbits. The box of each orbit fills at least
+/// the fraction [`SHARE`] of the box around all of these orbits.
 fn wide(orbits: &[ShownOrbit], axes: &[usize]) -> Vec<Vec<Rational>> {
     let boxes: Vec<Vec<[f64; 2]>> =
         orbits.iter().map(|orbit| axes.iter().map(|&k| orbit.extremes[k]).collect()).collect();

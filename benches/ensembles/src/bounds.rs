@@ -1,7 +1,7 @@
 //! Measures how many divisions and multiply-adds the machine can do per second. Closures are
 //! avoided, since they are compiled without vector instructions unless inlined early.
 
-// `unsafe` is needed to call functions compiled for instructions that were detected.
+// `unsafe` is needed to call functions that are compiled for AVX2 or AVX-512F.
 #![allow(unsafe_code)]
 
 /// Computes `divisions` divisions of `f64`, four at a time. Does nothing without AVX2.

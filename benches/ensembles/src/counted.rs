@@ -22,7 +22,7 @@ fn counted(operations: usize, value: f64) -> Counted {
     Counted(value)
 }
 
-/// Counts the operations of one step. Returns 0 if the step cannot take several points at once.
+/// Counts the operations of one step. Returns 0 if the step cannot compute several points at once.
 pub(crate) fn operations<const N: usize>(step: &impl PreparedStep<f64, N>) -> usize {
     fn of<S: PreparedStep<f64, N>, const N: usize>(step: &S) -> usize {
         if !S::HAS_LANES {

@@ -20,15 +20,15 @@ pub use euler_top::EulerTop;
 pub use lorenz::Lorenz;
 pub use lotka_volterra::LotkaVolterra;
 
-/// Half the time step, ε, of all timings.
+/// Half the time step, ε, of all steps that are timed.
 pub const EPS: f64 = 1.0 / 1000.0;
 
-/// The text of a system, from which its block is compiled or read.
+/// The text of a system. Its `kahan!` block is compiled by the macro, or read at run time.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
     /// The name of the type that the block declares.
     pub name: &'static str,
-    /// A Rust expression whose value has the type.
+    /// A Rust expression for a value of this type.
     pub value: &'static str,
     /// The number of variables.
     pub dimension: usize,

@@ -7,13 +7,13 @@ use std::io::{self, BufRead, Write};
 
 /// A task that is timed.
 pub struct Task {
-    /// The name of the system, or another word for a task without a system.
+    /// The name of the system. A task that runs no system has another word here, such as `bound`.
     pub system: &'static str,
     /// The name of the task.
     pub what: &'static str,
     /// The number of operations of a step; 0 if they are not counted.
     pub operations: usize,
-    /// Runs a number of units of work, and returns the seconds.
+    /// Repeats the work of the task as often as the argument says, and returns the seconds.
     pub seconds: Box<dyn Fn(usize) -> f64>,
 }
 

@@ -9,8 +9,8 @@ use kahan_core::{LatticeMap, Scalar};
 
 use crate::families::Kdv;
 
-/// The KdV equation as the linear system of Newton's method: Kahan's matrix, with the right-hand
-/// side `right`.
+/// The linear system of a Newton step for the KdV equation. It has Kahan's matrix and the
+/// right-hand side `right`.
 #[derive(Clone, Debug)]
 struct Newton {
     kdv: Kdv<f64>,
@@ -118,7 +118,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             at.step(&mut next);
             time += begun.elapsed() + evaluated;
             iterations += 1;
-            // A step of the solver is 2ε times the solution of the linear system.
+            // The solver returns m + 2εs, where s is the solution of the linear system.
             let change: Vec<f64> = next.iter().zip(&m).map(|(next, m)| (next - m) / (2.0 * eps)).collect();
             m.iter_mut().zip(&change).for_each(|(m, change)| *m += change);
             if change.iter().all(|change| change.abs() < 1e-12) {

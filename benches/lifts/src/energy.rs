@@ -75,7 +75,7 @@ const SMOOTH: [&str; 8] = [
     "φ⁴ chain of 3",
     "sine-Gordon chain of 3",
 ];
-/// The largest permitted quotient of the errors in the final and in the first eighth of the time.
+/// The largest permitted ratio of the error in the last eighth of the time to that in the first.
 const TREND: f64 = 1.2;
 const PROJECTION_EPS: f64 = 0.02;
 const PROJECTION_TIME: f64 = 4000.0;

@@ -33,7 +33,7 @@ struct System {
     text: &'static str,
     start: &'static [f64],
     slope: Slope,
-    /// Whether the second half of the states are momenta of unit mass.
+    /// Whether the states are positions followed by as many momenta, with unit masses.
     is_mechanical: bool,
 }
 
@@ -172,8 +172,8 @@ fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     (least, result)
 }
 
-/// Returns, for each of `TOLERANCES`, the least time of a run whose error is within it. Each run
-/// has a finer setting than the one before.
+/// Returns, for each of `TOLERANCES`, the least time among the runs whose error is at most the
+/// tolerance. The iterator `runs` yields times and final states, with ever finer settings.
 fn cheapest(reference: &[f64], runs: impl Iterator<Item = (f64, Vec<f64>)>) -> [f64; 3] {
     let mut least = [f64::INFINITY; 3];
     for (seconds, end) in runs {

@@ -109,7 +109,7 @@ impl Judged {
     }
 }
 
-/// The number of lifts by prediction and by outcome: good, good at smaller ε, or bad.
+/// The number of lifts for each prediction and outcome: good, good at smaller ε, or bad.
 #[derive(Clone, Copy, Default)]
 struct Counts([[usize; 3]; 3]);
 

@@ -164,7 +164,6 @@ impl Formula {
         }
     }
 
-    /// Returns the sum of the absolute values of the terms in a sum.
     pub(crate) fn size(&self, x: &[f64]) -> f64 {
         match self {
             Formula::Sum(terms) => terms.iter().map(|(_, term)| term.value(x).abs()).sum(),

@@ -24,7 +24,6 @@ pub(crate) fn all() -> Vec<Task> {
     tasks
 }
 
-/// A first use of a map, which compiles the map.
 type Use = fn(&Map, &[f64]);
 
 fn field(
@@ -66,7 +65,6 @@ fn with_integrals(map: &Map, state: &[f64]) {
     black_box(integrals);
 }
 
-/// Compiles steps of many trajectories, for scalar and for vector registers.
 fn with_columns(map: &Map, state: &[f64]) {
     let mut columns: Vec<[f64; 8]> = state.iter().map(|x| [*x; 8]).collect();
     let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(|column| &mut column[..]).collect();

@@ -10,7 +10,7 @@ use kahan_runtime::{Field, Map};
 /// After this number of steps, a run starts again at the initial state.
 pub(crate) const SEGMENT: usize = 1024;
 
-/// Both forms of a map, with the initial state from which they are timed.
+/// A map as the macro's code and as read at run time, and the initial state of the timed orbits.
 pub(crate) struct Pair<M, const N: usize> {
     pub(crate) system: &'static str,
     pub(crate) generated: M,
@@ -19,7 +19,7 @@ pub(crate) struct Pair<M, const N: usize> {
 }
 
 impl<M: KahanMap<f64, N>, const N: usize> Pair<M, N> {
-    /// Reads the map from its block's text. Panics if the two forms reach different points.
+    /// Reads the map from the text of its block. Panics if the orbits of the two maps differ.
     pub(crate) fn new(source: Source, generated: M, values: &[(&str, f64)], start: [f64; N]) -> Self {
         let text = block_of(source.text).unwrap_or_else(|| panic!("{}: a file without a block", source.name));
         let field = Field::parse(text).unwrap_or_else(|mistakes| panic!("{}: {mistakes}", source.name));
@@ -35,7 +35,7 @@ impl<M: KahanMap<f64, N>, const N: usize> Pair<M, N> {
     }
 }
 
-/// Makes a task from `run`, which takes the steps of a segment and returns the seconds.
+/// Makes a task from `run`, which makes the steps of a segment and returns the seconds.
 pub(crate) fn in_segments(
     system: &'static str,
     what: &'static str,

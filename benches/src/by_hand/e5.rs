@@ -12,7 +12,6 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Uses a single reciprocal.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -37,7 +36,7 @@ pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Divides z at the end, so that compilers cannot pack the divisions into one register.
+/// Computes the quotient for z last, so that compilers cannot pack the divisions into one register.
 pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {

@@ -13,7 +13,7 @@ pub(crate) fn contenders(top: EulerTop<f64>, start: [f64; 3], eps: f64) -> Vec<C
     ]
 }
 
-/// Uses most products in both the denominator and the numerators.
+/// Computes most products once, and uses them in the denominator and in the numerators.
 pub(crate) fn fewest_operations(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (p, q, r) = (eps * top.a1, eps * top.a2, eps * top.a3);
     move |[x, y, z]| {

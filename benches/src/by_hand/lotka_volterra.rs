@@ -12,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 2], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Uses each difference twice.
+/// Computes 1 − y and x − 1 once, and uses each of these differences twice.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {

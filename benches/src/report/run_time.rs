@@ -12,7 +12,7 @@ use crate::worker::{self, Worker};
 /// The prefix in the name of a task that runs the macro's code.
 const MACRO: &str = "macro: ";
 const RUN_TIME: &str = "run time: ";
-/// The prefix in the name of a task that compiles, which has no counterpart.
+/// The prefix in the name of a task that compiles. The macro's code has no such task.
 const COMPILING: &str = "compiling: ";
 /// Tasks whose times have no limit, because run-time code and the macro's code differ in calls,
 /// registers or rounding.

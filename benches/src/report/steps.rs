@@ -67,7 +67,7 @@ pub(crate) struct StepTimes {
     pub(crate) system: &'static str,
     pub(crate) generated: f64,
     pub(crate) by_hand: f64,
-    /// The time of Kahan's map by nalgebra's LU decomposition of static size.
+    /// The time of a step by nalgebra's LU decomposition of a matrix of static size.
     pub(crate) lu: f64,
     pub(crate) midpoint: f64,
 }

@@ -9,12 +9,13 @@ use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
-/// The way to take a step with which all others are compared.
+/// The kind of step with which all others are compared.
 const FAST: &str = "fast";
 /// The fast tier with a separate call for each step, as in the stable tier.
 const STEP: &str = "fast, a step at a time";
 
-/// The limits: tier, reference, whether the build is native, and the largest permitted ratio.
+/// The limits. Each has a tier, the tier of reference, whether the build is native, and the largest
+/// permitted ratio of the times.
 const LIMITS: [(&str, &str, bool, f64); 3] =
     [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 

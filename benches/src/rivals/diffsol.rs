@@ -3,7 +3,8 @@
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use kahan_core::prelude::*;
 
-/// Returns the state after `time`. `tolerance` is absolute and relative. Panics on failure.
+/// Returns a function that computes the state after a time, from the initial state and this time.
+/// Both the absolute and the relative tolerance are `tolerance`. The function panics on failure.
 pub(crate) fn end<F, const N: usize>(field: F, tolerance: f64) -> impl Fn([f64; N], f64) -> [f64; N]
 where
     F: QuadraticField<f64, N>,

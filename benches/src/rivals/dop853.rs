@@ -13,7 +13,8 @@ impl<F: QuadraticField<f64, N>, const N: usize> System<f64, Vector<f64, N>> for 
     }
 }
 
-/// Returns the state after `time`. `tolerance` is absolute and relative. Panics on failure.
+/// Returns a function that computes the state after a time, from the initial state and this time.
+/// Both the absolute and the relative tolerance are `tolerance`. The function panics on failure.
 pub(crate) fn end<F, const N: usize>(field: F, tolerance: f64) -> impl Fn([f64; N], f64) -> [f64; N]
 where
     F: QuadraticField<f64, N> + Clone,

@@ -15,7 +15,7 @@ where
     }
 }
 
-/// Returns a step that uses the LU decomposition of a `DMatrix`, which allocates.
+/// Returns a step that uses the LU decomposition of a `DMatrix`, which allocates memory.
 pub(crate) fn of_dynamic_size<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,

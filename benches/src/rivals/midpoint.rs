@@ -4,11 +4,11 @@ use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
 
 pub(crate) const NAME: &str = "implicit midpoint, Newton";
-/// The largest permitted final update of Newton's method, relative to max(1, |x̃|).
+/// Newton's method ends after an update of at most this size, relative to max(1, |x̃|).
 pub(crate) const TOLERANCE: f64 = 1e-14;
 
-/// Returns a step by 2ε with Newton's method, which starts at Euler's step. Panics if the matrix is
-/// singular, which does not occur in the benchmarks.
+/// Returns a step of the midpoint rule. Newton's method begins at the result of Euler's method.
+/// Panics if the matrix is singular, which does not occur in the benchmarks.
 pub(crate) fn step<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,
@@ -18,11 +18,12 @@ where
     move |x| {
         let x = SVector::from(x);
         let mut next = x + map.field(&x) * h;
-        // Newton's method converges within eight iterations, unless rounding exceeds the tolerance.
+        // Newton's method converges within eight iterations, unless rounding errors exceed the
+        // tolerance.
         for _ in 0..8 {
             let middle = (x + next) * 0.5;
             let residual = x + map.field(&middle) * h - next;
-            // The matrix I − εf′ at the midpoint is the matrix of Kahan's map there.
+            // Newton's matrix I − εf′ is the matrix of Kahan's map at the midpoint.
             let update =
                 map.matrix(&middle, eps).lu().solve(&residual).expect("the chains stay away from poles");
             next += update;

@@ -25,7 +25,8 @@ use unseen_fields::{
     ThreeWaves, Tired,
 };
 
-/// The largest permitted cost of the command's and of the library's choice, relative to the best.
+/// The largest permitted cost of the setting that the command chooses, and of the one that the
+/// library chooses, relative to the cheapest setting.
 const DEAREST: [f64; 2] = [1.3, 3.0];
 /// The factor by which errors may exceed the tolerance, because the command checks fewer points
 /// than this program.
@@ -55,7 +56,7 @@ struct Check {
     choices: usize,
     within: usize,
     prices: usize,
-    /// The least and the largest quotient of a price measured here and the command's price.
+    /// The least and the largest ratio of a price measured here to the command's price.
     factors: [f64; 2],
     failures: Vec<String>,
 }
@@ -192,7 +193,7 @@ impl Check {
     }
 }
 
-/// Returns the library's choice. `None` if the library refuses.
+/// Returns the library's choice. `None` if the library refuses to choose.
 fn library<M, const N: usize>(
     map: &M,
     start: &SVector<BigRational, N>,

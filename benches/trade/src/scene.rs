@@ -89,7 +89,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.extend_scalars(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// Returns the largest distance from the reference, or the first one above `enough`.
+    /// Returns the largest distance from the reference, or the first distance above `enough`.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
@@ -117,7 +117,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         // The timed orbit ends at the horizon, because later states may be slow subnormal numbers.
         let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
         let repeats = STEPS.div_ceil(steps);
-        /// Times one kind of orbit. One function for all kinds would be badly optimised.
+        /// Times one kind of orbit. A function for each kind is optimised better than one for all.
         #[inline(never)]
         fn seconds<O: Iterator>(begin: impl Fn() -> O, steps: usize, repeats: usize) -> f64 {
             let clock = Instant::now();

@@ -13,8 +13,8 @@ use crate::system::System;
 pub struct Coefficient {
     /// The index of the component.
     pub component: usize,
-    /// The indices of the states in the monomial. Entries of c have no index, entries of B one, and
-    /// entries of Q two.
+    /// The indices of the states in the monomial: none in a constant term, one in a linear term,
+    /// and two in a quadratic term.
     pub states: [Option<usize>; 2],
     /// The index of the parameter in the monomial.
     pub parameter: Option<usize>,

@@ -53,7 +53,7 @@ pub struct Evaluation<V> {
     pub det_jacobian: Option<V>,
     /// The unconditional integrals by name.
     pub integrals: Vec<(String, Option<V>)>,
-    /// The unconditional density. The outer option is `None` without a density.
+    /// The unconditional density. The outer option is `None` if the system has no density.
     pub density: Option<Option<V>>,
     /// The unconditional brackets, as n×n matrices.
     pub brackets: Vec<NamedTensor<V>>,
@@ -117,7 +117,7 @@ impl Interpreter {
     }
 
     /// Returns the Jacobian ∂x̃/∂x at x̃ = `next`. The reduced map is differentiated by dual
-    /// numbers. Without a reduced map, the Jacobian is A(x,ε)⁻¹A(x̃,−ε).
+    /// numbers. If there is no reduced map, the Jacobian is A(x,ε)⁻¹A(x̃,−ε).
     pub fn jacobian<A: OverRationals>(
         &self,
         arithmetic: &A,

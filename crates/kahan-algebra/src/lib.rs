@@ -126,7 +126,8 @@ fn check_block(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnost
 }
 
 /// Returns the seed of the prover's random points, a cryptographic hash of the text. Builds are
-/// therefore reproducible. Nobody can construct a claim that holds only at the points of the test.
+/// therefore reproducible. The best known way to a false claim that passes the test is to try
+/// texts.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
     let text: Vec<&str> = tokens.iter().map(|token| &*token.text).collect();

@@ -46,12 +46,14 @@ pub enum Rule {
     /// ẋ = p, ṗ = −F and Ẇ = F·p for a potential W with gradient F, then |p|²/2 + W − ε²|F|²/2 is
     /// an integral.
     Polarisation,
-    /// If ẏ = m N y with a form m and N² = −δ, δ > 0, then yᵀQy/(1 + ε²δm²) is an integral of the
-    /// map. Here yᵀQy is an integral of the flow. For ṡ = αcm and ċ = −βsm, the integral is (βs² +
-    /// αc²)/(1 + ε²αβm²). If m is an integral, so is yᵀQy.
+    /// Let y be forms with ẏ = mNy, where m is a form and N a constant matrix with N² = −δ, δ > 0.
+    /// If yᵀQy is an integral of the flow, then yᵀQy/(1 + ε²δm²) is an integral of the map. If m is
+    /// also an integral, so is yᵀQy. The forms s and c with ṡ = αcm and ċ = −βsm give (βs² +
+    /// αc²)/(1 + ε²αβm²).
     Rotation,
-    /// Like [`Rotation`](Rule::Rotation), but with δ < 0. For ṡ = κsm and ẇ = −κwm, the integral is
-    /// sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient decides.
+    /// Like [`Rotation`](Rule::Rotation), but with δ < 0. The forms s and w with ṡ = κsm and ẇ =
+    /// −κwm give sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient
+    /// decides between the two rules.
     Hyperbolic,
 }
 
@@ -150,7 +152,6 @@ impl<'a> Flow<'a> {
         Polynomial::variable(self.symbols.state(i))
     }
 
-    /// Returns the derivative of a polynomial in the direction v.
     fn directional_derivative(
         &self,
         polynomial: &Polynomial,
@@ -225,7 +226,6 @@ impl<'a> Flow<'a> {
         Ok([of_two, squares].concat())
     }
 
-    /// Adds the integrals by rotation for each form m.
     fn add_rotations(
         &self,
         found: &mut Vec<ModifiedIntegral>,
@@ -325,7 +325,7 @@ impl<'a> Flow<'a> {
         Ok(found)
     }
 
-    /// Removes each variable whose quotient contains a removed variable, repeatedly.
+    /// Removes variables until no quotient contains a removed variable.
     fn remove_dependent(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {
@@ -373,7 +373,7 @@ impl<'a> Flow<'a> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
-        // I is a quadratic form in 1 and the states, and `first` is its derivative by the 1.
+        // I is a quadratic form in 1 and the states. `first` is its derivative with respect to 1.
         let mut first = integral.scale(&Rational::from(2));
         for (variable, slope) in slopes.iter() {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
@@ -400,7 +400,8 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(NoIntegral);
         }
-        // For a rotation, all sums u̇/m + δy are 0. The first may be constant, which shifts I.
+        // For a rotation, all sums u̇/m + δy vanish, except that the first sum may be a constant,
+        // which changes the constant term of I.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;
@@ -443,7 +444,6 @@ fn last_index(relation: &Relation) -> usize {
     relation.last().expect("a relation has a coefficient").0
 }
 
-/// Returns the combination Σ cₖ vₖ with the coefficients cₖ of a relation.
 fn combination(relation: &Relation, vectors: &[Polynomial], budget: &mut Budget) -> WithinBudget<Polynomial> {
     relation.iter().try_fold(Polynomial::zero(), |sum, (index, coefficient)| {
         sum.add_within(&coefficient.mul_within(&vectors[*index], budget)?, budget)

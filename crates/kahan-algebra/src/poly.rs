@@ -136,7 +136,8 @@ impl Polynomial {
         }
     }
 
-    /// Returns the coefficient of `monomial`, or 0. The cost is that of a binary search.
+    /// Returns the coefficient of `monomial`, which is 0 if it does not occur. The cost is that of
+    /// a binary search.
     pub fn coefficient(&self, monomial: &Monomial) -> Rational {
         match self.terms.binary_search_by(|term| monomial.cmp(&term.0)) {
             Ok(index) => self.terms[index].1.clone(),

@@ -75,8 +75,9 @@ impl System {
         Some(System { field, kept, written, claims: Vec::new(), ..self.clone() })
     }
 
-    /// Returns the system without claims where these relations hold. Solved parameters are removed.
-    /// Returns `None` if the field divides by zero, or if limits on sizes are exceeded.
+    /// Restricts the system to values that satisfy these relations. The result has no claims and
+    /// lacks the solved parameters. Returns `None` if the field divides by zero, or if limits on
+    /// sizes are exceeded.
     #[must_use]
     pub fn on(&self, relations: &Relations) -> Option<System> {
         let old = &self.field.symbols;
@@ -130,8 +131,8 @@ impl Specialisation<'_> {
         self.function(&numerator.checked_div(&denominator)?)
     }
 
-    /// Inserts values into the written form. Returns `None` if a value is not a polynomial, or if a
-    /// divisor cancels.
+    /// Inserts values into the field as written. Returns `None` if a value is not a polynomial, or
+    /// if a divisor cancels.
     fn specialised_subexpressions(
         &self,
         kept: &FieldWithSubexpressions,
@@ -169,7 +170,7 @@ impl Specialisation<'_> {
     }
 
     /// Solves the conditions of a claim after values were inserted. Returns `None` if the
-    /// conditions are false, or if they may not be equivalent to the original ones.
+    /// conditions are false, or are possibly not equivalent to the original ones.
     fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
         let mut relations = self.relations.clone();
         let mut solved = Vec::new();

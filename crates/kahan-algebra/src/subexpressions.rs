@@ -16,7 +16,7 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
-/// A quantity by which orbits are differentiated.
+/// A quantity with respect to which orbits are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sensitivity {
     /// All coordinates of the first point.
@@ -55,7 +55,7 @@ pub struct FieldWithSubexpressions {
 #[derive(Clone, Debug)]
 pub(crate) struct FieldWithConstants {
     pub(crate) field: Field,
-    /// The field with sums of states as subexpressions. `None` without such sums.
+    /// The field with sums of states as subexpressions. `None` if there are no such sums.
     pub(crate) kept: Option<FieldWithSubexpressions>,
     /// The subexpression of each added parameter.
     pub(crate) places: Vec<usize>,
@@ -131,7 +131,7 @@ impl Subexpressions {
         Some(&dividend * &self.reciprocal(&divisor)?)
     }
 
-    /// Returns whether the polynomial, with its subexpressions, divides only by factors of
+    /// Returns whether every divisor in the polynomial and its subexpressions is a factor of
     /// `denominator`.
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
         let mut places = polynomial.variables().into_iter().filter_map(|variable| self.place(variable));
@@ -161,8 +161,8 @@ impl Subexpressions {
         self.intern(Value::Reciprocal(primitive)).map(|value| Polynomial::variable(value).scale(&inverse))
     }
 
-    /// Returns the derivatives by the wanted variables, by the chain rule. Derivatives that are
-    /// sums become named subexpressions.
+    /// Returns the derivatives with respect to the wanted variables, by the chain rule. Derivatives
+    /// that are sums become named subexpressions.
     fn gradient(
         &mut self,
         polynomial: &Polynomial,

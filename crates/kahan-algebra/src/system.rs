@@ -63,7 +63,7 @@ pub struct Condition {
 
 impl Condition {
     /// Builds the conditions of a claim. Each item has a relation as written, the name for which it
-    /// was solved, and its range in `relations.nonzero()`.
+    /// was solved, and the range of its divisors in `relations.nonzero()`.
     pub(crate) fn all(
         solved: Vec<(syntax::Condition, Variable, Range<usize>)>,
         relations: &Relations,
@@ -163,7 +163,7 @@ impl System {
         self.claims.iter().filter(|claim| !claim.is_unconditional())
     }
 
-    /// Returns the system's name, or `field`.
+    /// Returns the name of the system, or `field` if it has no name.
     #[must_use]
     pub fn name(&self) -> &str {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())

@@ -160,7 +160,7 @@ fn stepping_back_returns_the_start() {
     }
 }
 
-/// The map is x ↦ x/(1 − 2ε³x), with the derivative 6ε²x²/(1 − 2ε³x)² by ε.
+/// The map is x ↦ x/(1 − 2ε³x). Its derivative with respect to ε is 6ε²x²/(1 − 2ε³x)².
 #[test]
 fn the_derivative_by_eps_has_that_of_the_coefficients() {
     let with_derivative = system("xdot = eps^2*x^2;").sensitivities(&[Sensitivity::Epsilon]);

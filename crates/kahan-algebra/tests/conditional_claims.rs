@@ -143,7 +143,6 @@ fn no_sign_and_no_coefficient_can_be_changed() {
 
 #[test]
 fn tensors_are_decided_on_relations_too() {
-    // The bracket is that of two oscillators of equal frequency with exchanged signs.
     let bracket = "bracket P { {x,v} = 1; {y,u} = -1; }";
     assert!(matches!(verdict(&format!("{OSCILLATORS} {bracket} when a1*a2 = a5*a6;")), Verdict::Proved(_)));
     assert!(matches!(verdict(&format!("{OSCILLATORS} {bracket} when a1 = a5;")), Verdict::Refuted(_)));
@@ -270,7 +269,6 @@ fn what_relations_were_divided_by_is_said() {
     assert_eq!(note("p*q = r^2, eps*p = 1/(r + 1)"), "q != 0, 1 + r != 0");
 }
 
-/// The value of r is −p − q in the evaluation.
 #[test]
 fn a_conditional_claim_is_evaluated_where_it_holds() {
     let system = sound(&format!("{SUM} integral S = r*(x + y + z) when r = -p - q;"));

@@ -29,7 +29,8 @@ fn q(value: i64) -> Rational {
 
 #[test]
 fn a_difference_and_a_divisor_are_computed_as_they_are_written() {
-    // If the fractions had a common divisor, half of the digits would be lost.
+    // Floats would lose half of their digits here if the fractions were added over a common
+    // divisor.
     let (p, r) = (1.0 + 1e-9, 0.5);
     let f = field("xdot = (p - q)*x/(1 + r) + x/(p - q); ydot = y;", &Float64, &[3.0, 1.0], &[p, 1.0, r]);
     assert_eq!(f.expect("defined")[0], (1.0 / (1.0 + r)) * (3.0 * (p - 1.0)) + (1.0 / (p - 1.0)) * 3.0);
@@ -80,7 +81,6 @@ fn what_does_not_move_stays() {
     assert_eq!(f.expect("a polynomial")[0], 0.0);
 }
 
-/// A factor of the map cancels because one subexpression is the product of two others.
 #[test]
 fn a_relation_between_values_costs_no_reduction() {
     let text =
@@ -89,7 +89,6 @@ fn a_relation_between_values_costs_no_reduction() {
     for (first, second) in [(same, same), (same, related), (related, related)] {
         let system = system(&text(first, second));
         assert!(derive(&system).reduced_map.is_some(), "{first} and {second}");
-        // The step exists where the common factor 1 + ε(p² − q²)z is zero.
         let point =
             Point { state: vec![q(1), q(2), q(-1)], parameters: vec![q(3), q(1)], eps: Rational::new(1, 8) };
         let next = Interpreter::new(&system).next(&Exact, &point);

@@ -30,8 +30,8 @@ fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String 
 
 /// A way to test a limit.
 enum Tied {
-    /// Makes a block for a number n. With n at the limit the block is read, and the next n is a
-    /// mistake.
+    /// Makes a block of size n. At the limit, the block must be accepted, and for the next larger n
+    /// it must be refused.
     AtTheLimit(fn(usize) -> String),
     /// A block far beyond the limit, which the message states.
     InWords(String),

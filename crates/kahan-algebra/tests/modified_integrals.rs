@@ -65,7 +65,6 @@ fn is_kept(system: &System, function: &RationalFunction, random: &mut SplitMix64
     true
 }
 
-/// Returns the checked integrals of a text in the form `rule: integral of the map`.
 fn found(text: &str) -> Vec<String> {
     let system = system(text);
     let symbols = &system.field.symbols;
@@ -98,11 +97,9 @@ fn check(text: &str, expected: &[&str]) {
 
 #[test]
 fn lifted_fields_keep_relations_and_energies() {
-    // The relation w = x² yields an integral for any ẏ.
     let relation = "Polarisation: -w + x^2 - eps^2*y^2";
     check("xdot = y; ydot = x*w - 3*y^2 + y*w; wdot = 2*x*y;", &[relation]);
     check("xdot = y; ydot = mu*(y - w*y) - x; wdot = 2*x*y;", &[relation]);
-    // Pendulums: plain, with parameters, and with friction.
     let turning = "Rotation: (s^2 + c^2)/(1 + eps^2*p^2)";
     check(
         "xdot = p; pdot = -s; sdot = c*p; cdot = -s*p;",
@@ -171,7 +168,6 @@ fn fields_that_nearly_fit_keep_nothing() {
         // contains m².
         "sdot = s*m; wdot = -2*w*m; mdot = s*m + w^2 - 1;",
         "sdot = c*m; cdot = (m - s)*m; mdot = s*m + w^2 - 1; wdot = s^2 - w;",
-        // The factor that rotates the pair is not affine.
         "sdot = c*m + s*c; cdot = -s*m - s^2 + 1; mdot = s*m + c^2 - 1;",
     ] {
         check(text, &[]);
@@ -222,8 +218,6 @@ fn symbols(states: &[&str]) -> Symbols {
     Symbols { states: names(states), parameters: names(&["k"]) }
 }
 
-/// The integral is I = w + a·u + yᵀCy with random a, C, affine ẏ and quadratic u̇. Coordinates are
-/// changed.
 #[test]
 fn what_polarisation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(57);
@@ -239,7 +233,6 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
         let along = |slope: &Polynomial, i: usize| &integral.derivative(symbols.state(i)) * slope;
         let others = &along(&other, 1) + &(&along(&slopes[0], 2) + &along(&slopes[1], 3));
         let mut components = vec![-&others, other, slopes[0].clone(), slopes[1].clone()];
-        // Replace the variables by the forms w + 2x, x − 3u, and y plus a constant.
         for (i, by) in
             [(0, state(2).scale(&2.into())), (2, state(1).scale(&(-3).into())), (3, small(random).into())]
         {
@@ -254,13 +247,11 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
         let all = modified_integrals(&system.field);
         assert_eq!(all.len(), 1, "{components:?}: {all:?}");
         check_limit(&system.field, &all[0]);
-        // With one changed coefficient, nothing is preserved.
         components[0] = &components[0] + &(&state(1) * &state(2));
         assert!(modified_integrals(&system_of(&symbols, &components).field).is_empty(), "{components:?}");
     }
 }
 
-/// Pairs satisfy ṡ = αcm, ċ = −βsm or ṡ = κsm, ċ = −κcm with random m, ẋ and centres.
 #[test]
 fn what_rotation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(58);

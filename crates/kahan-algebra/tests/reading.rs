@@ -210,14 +210,12 @@ fn places_point_at_the_token_to_change() {
 /// Each input has failed in the past.
 #[test]
 fn what_once_went_wrong_stays_mended() {
-    // A letter outside ASCII follows a number.
     for text in ["xdot = 2α*x;", "xdot = 1.5ü*x;", "xdot = x^2é;", "xdot = 0é;", "xdot = 1_é*x;"] {
         assert_eq!(reading(text).diagnostics().len(), 1, "{text}");
     }
     // An unclosed comment once hid all later text.
     assert_eq!(reading("xdot = x; /* open; ydot = y;").diagnostics().len(), 1);
     assert_eq!(equations("xdot = 1e1_0*x;"), equations("xdot = 10000000000*x;"));
-    // An underscore is not a name.
     assert_eq!(reading("xdot = _*x;").diagnostics().len(), 1);
     assert_eq!(reading("struct _; xdot = x;").diagnostics().len(), 1);
     // Without equations, the only mistake is the missing field.

@@ -229,8 +229,8 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// If each step would wait for products with ε in the denominator, the plan divides by ε. E1, E3
-/// and E5 are then exactly Kahan's map at a nearby ε. The form for any scalar does not divide by ε.
+/// Plans divide by ε if steps would otherwise wait for products with ε, but plans for any scalar do
+/// not. E1, E3 and E5 are then exactly Kahan's map at a nearby ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

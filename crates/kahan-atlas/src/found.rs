@@ -53,7 +53,7 @@ impl<'a> AtlasContent<'a> {
         AtlasContent { paper, claims, orbits }
     }
 
-    /// Returns how often [`compute`](Self::compute) calls `each`.
+    /// Returns how many times [`compute`](Self::compute) calls `each`.
     #[must_use]
     pub fn steps(paper: &Paper) -> usize {
         paper.claims().len() + Figure::all().count()

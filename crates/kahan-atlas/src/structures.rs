@@ -81,7 +81,7 @@ fn table1(found: &AtlasContent<'_>) -> Markup {
     table_of_formulas("table1", caption, &headings, rows(|_| true).into_iter().map(cells))
 }
 
-/// Writes a table with a row for each map, of definitions and of the worst outcome of claims.
+/// Writes a table with a row for each map: its definitions, and the worst outcome of its claims.
 fn of_maps<'a, const N: usize>(
     found: &AtlasContent<'_>,
     (id, caption): (&str, &str),

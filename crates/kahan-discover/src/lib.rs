@@ -2,8 +2,8 @@
 //!
 //! The input is a checked system. The output is a [`Report`] on growth of degrees, integrals,
 //! densities, Poisson brackets, drifts and Hamiltonian structure. The search computes modulo primes
-//! and interpolates along orbits. Each printed formula is proved. A Hirota–Kimura [`Basis`]
-//! represents integrals with long formulas. The crate must not know how a report is printed.
+//! and interpolates along orbits. Each claim in a report is proved. A Hirota–Kimura [`Basis`]
+//! represents integrals with long formulas. Callers lay out the formulas and sentences of a report.
 //!
 //! Modules in reading order: [`watch`], [`deadline`], [`modular`] (arithmetic), [`maps`],
 //! [`orbits`], [`integrals`], [`densities`], [`poisson`], [`drift`], [`claims`] (proof and text),

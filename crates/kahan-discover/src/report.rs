@@ -59,7 +59,7 @@ pub struct StructureReport {
     pub depends_on_eps: bool,
     /// The divergence div f.
     pub divergence: String,
-    /// Whether det(I − t f′(x)) is even in t.
+    /// Whether det(I − t f′(x)) is even in t, as observed at random points modulo a prime.
     pub is_even: bool,
     /// Linear integrals of the flow, all of which the map preserves.
     pub linear_integrals: Vec<String>,
@@ -236,7 +236,7 @@ pub struct Report {
     pub own_density: Option<String>,
     /// The structure of the field.
     pub structure: StructureReport,
-    /// The integrals that the composed map preserves, or `None` without integrals.
+    /// The integrals that compositions of the map at different ε preserve, or `None` without any.
     pub survivors: Option<CompositionIntegrals>,
     /// Whether the time ran out before the search was complete.
     pub out_of_time: bool,

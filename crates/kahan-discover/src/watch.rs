@@ -1,7 +1,7 @@
 //! The interface to the observer of a long computation.
 //!
-//! Libraries have no clock, threads or screen of their own. The caller provides them as a
-//! [`Watch`], so computations also run in a notebook, and in a browser without a clock.
+//! The caller provides clock, threads and screen as a [`Watch`], so computations also run in a
+//! notebook, and in a browser without a clock.
 
 use std::fmt;
 use std::ops::ControlFlow;

@@ -76,7 +76,6 @@ fn brackets_of_parts_are_added() {
     assert_eq!(found.densities[0].text, "density rho = 1/(1 + eps^2*(6*k*q + w^2));");
 }
 
-/// A cubic Hamiltonian over the numbers x + tu with t² = d has two matrices K.
 #[test]
 fn canonical_systems_with_symbols_have_both_brackets() {
     let newton = "xdot = y; udot = v; ydot = -3*a0*(x^2 + d*u^2) - 6*b0*d*u*x - 2*a1*x - 2*b1*d*u - a2; \

@@ -103,7 +103,7 @@ fn formulas_have_a_limit_at_small_steps() {
     }
 }
 
-/// The field has 24 integrals with 2^24 sets, which are too many to enumerate.
+/// The 24 integrals of the field have 2^24 subsets, which are too many to enumerate.
 #[test]
 fn many_integrals_are_no_burden() {
     let resting: String = (0..24).map(|i| format!("c{i}dot = 0; ")).collect();
@@ -191,8 +191,8 @@ fn fields_with_little_in_them_end_in_true_sentences() {
 
 #[test]
 fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
-    // The numerator and the denominator have more than 500 terms. Relations of orbits do not show
-    // the integral of degree 7, the modified Hamiltonian.
+    // The modified Hamiltonian is an integral of degree 7, which relations of orbits do not show.
+    // Its numerator and its denominator have more than 500 terms.
     let chain = "adot = a*(b - c + d - e); bdot = b*(c - d + e - a); cdot = c*(d - e + a - b);
         ddot = d*(e - a + b - c); edot = e*(a - b + c - d);";
     let report = report(chain, &options());

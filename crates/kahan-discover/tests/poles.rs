@@ -82,7 +82,7 @@ fn confinement_alone_proves_nothing() {
     assert!(!confines(&linear) && growth(&linear) == Growth::Linear);
 }
 
-/// Compares patterns at ε = 1/3 with exact jets over ℚ(δ).
+/// Compares patterns at ε = 1/3 with images of points that are computed exactly over ℚ(δ).
 fn check_against_exact_germs(text: &str, steps: usize, expected: usize) {
     let eps = Rational::new(1, 3);
     let found = found(text, Some(eps.clone()), steps);

@@ -87,7 +87,6 @@ fn eigenvalues_that_depend_on_eps_are_no_bound() {
     assert_eq!(report.ceiling, None);
 }
 
-/// At each ε the field is Hamiltonian.
 #[test]
 fn hamiltonians_depend_on_eps() {
     let report = found("xdot = y; ydot = -x - c*eps^2*x^2 - a*x^2;", None);

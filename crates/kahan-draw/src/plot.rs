@@ -284,7 +284,7 @@ impl Frame {
         )
     }
 
-    /// Returns the vertical range for names beside the frame.
+    /// Returns the vertical range in which names beside the frame may stand.
     fn height(&self) -> [f64; 2] {
         [self.top - TOP, self.bottom + BOTTOM / 2.0]
     }

@@ -13,8 +13,8 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// Prints the choices. Returns the tolerance, the order, and the change of the flow's integral for
-/// each.
+/// Prints the setting chosen for each tolerance. Returns the tolerance, the order, and the change
+/// of the flow's integral.
 pub(crate) fn run() -> Vec<(f64, u32, f64)> {
     let start = vector![1.5, 1.0];
     let part = |value: f64| value - value.ln();

@@ -17,7 +17,8 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims. If integrals or a density are missing, rustc reports this.
+/// Emits the accessors of all claims. Types without integrals or a density get markers, with which
+/// rustc explains the error if code asks for an integral or a density.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);
@@ -44,8 +45,8 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     emitted
 }
 
-/// Expands to `pub fn NAME(&self, x, eps) -> …`. The method is generic if the type has no
-/// parameters.
+/// Expands to `pub fn NAME(&self, x, eps) -> …`. The method is generic over the scalar if the type
+/// has no parameters.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,

@@ -176,7 +176,7 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 }
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// Formulas with more characters are shown only in the documentation of `integrals`.
+    /// Longer formulas are left out here, because the documentation of `integrals` shows them.
     const MAX_SHOWN_FORMULA: usize = 120;
     let formula =
         statement_lines(claim).into_iter().next().filter(|formula| formula.len() <= MAX_SHOWN_FORMULA);

@@ -30,7 +30,8 @@ struct Context<'a> {
     line_scalar: Ident,
 }
 
-/// Emits the type of a family and its implementations, and without a header a value of the type.
+/// Emits the type of a family and its implementations. If there is no header, also emits a value of
+/// the type.
 pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &FlatTokens) -> TokenStream {
     let this = Type::of(family.header.as_ref(), &family.parameters, &family.site_parameters, input);
     let line_scalar = format_ident!("{}", if this.name == "L" { "S" } else { "L" });

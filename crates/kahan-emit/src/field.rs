@@ -41,7 +41,8 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to methods that evaluate the field at ε, or `None` if coefficients do not depend on ε.
+/// Expands to methods that evaluate the field at ε. Returns `None` if coefficients do not depend on
+/// ε.
 pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStream> {
     let derived = context.derived;
     if !context.system.field.depends_on_eps() {

@@ -52,7 +52,7 @@ pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
 }
 
-/// Returns a pattern that binds the components of a point that are among the sorted `inputs`.
+/// Returns a pattern that binds those components of a point that occur among the sorted `inputs`.
 pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,

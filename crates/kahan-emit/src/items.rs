@@ -12,7 +12,8 @@ use super::Context;
 use super::header::{RustHeader, has_docs};
 use super::lifted;
 
-/// Returns an identifier of the user. The name `_` is replaced; the front end has reported it.
+/// Returns an identifier of the user. The name `_` is replaced, because the front end has reported
+/// it.
 pub(super) fn identifier(name: &str, span: Span) -> Ident {
     match syn::parse_str::<Ident>(name) {
         Ok(_) => Ident::new(name, span),
@@ -95,7 +96,7 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// Returns the items. Without a header, returns a Rust block that ends with
+    /// Returns the items. If there is no header, returns a Rust block that ends with
     /// `Field { mu: Clone::clone(&mu) }`, where `mu` is a variable in the user's scope.
     pub(super) fn emit_items_or_block(&self, items: &TokenStream, input: &FlatTokens) -> TokenStream {
         if self.header.is_some() {

@@ -20,9 +20,9 @@
 //! `{ …the items of an anonymous type…; Field { mu: mu.clone() } }`. Mistakes become
 //! `compile_error!` next to a stand-in type, which prevents further errors.
 //!
-//! Generated code names items through `__kahan` and prefixes bindings with `__`: state `x` is
-//! `__s_x`, and parameter `mu` is `__p_mu`. Without the prefix, a constant of the user with an
-//! equal name would be taken for a pattern.
+//! Generated code names items of `kahan-core` through `__kahan` and prefixes bindings with `__`:
+//! state `x` is `__s_x`, and parameter `mu` is `__p_mu`. Without the prefix, a constant of the user
+//! with an equal name would be taken for a pattern.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -209,7 +209,8 @@ fn emit_broken(
     quote! { #errors #definition }
 }
 
-/// Emits the type of a system and its implementations, and without a header a value of the type.
+/// Emits the type of a system and its implementations. If there is no header, also emits a value of
+/// the type.
 fn emit_system(
     core: &TokenStream,
     derived: &Derived,

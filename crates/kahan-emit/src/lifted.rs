@@ -23,7 +23,8 @@ use super::input_bindings::binding;
 use super::items::{emit_name_list, identifier};
 use super::{Context, docs};
 
-/// The budget of the search for a lift. More would take too long in an unoptimised macro.
+/// The budget of the search for a lift. A larger budget would take too long in an unoptimised
+/// macro.
 const LIFT_SEARCH_BUDGET: usize = 200;
 
 pub(super) struct Lifted {
@@ -152,7 +153,7 @@ fn with_proved_claims(system: System, lift: &Lift, tokens: &[Token]) -> Checked 
 }
 
 /// Tests in floats whether an unproved integral is constant on states that satisfy the relations of
-/// the lift: a step may change it by at most 1e-9 of its change from other states.
+/// the lift. Its change in a step must be at most 1e-9 of its change if the relations are violated.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -206,7 +207,8 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to `embed` and `project`. Trait bounds let rustc name the scalar in errors.
+/// Expands to `embed` and `project`, with trait bounds that let rustc name the scalar type in
+/// errors.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));

@@ -1,12 +1,12 @@
-//! Emits a plan as Rust. A value that is used more than once gets a `let`; other values are nested.
+//! Emits a plan as Rust. A value used more than once, or nested too deeply, gets a `let`.
 //!
 //! ```text
 //! let __t_eps_x = __e_eps.get() * __s_x.clone();
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! Operations keep the order of the plan. A value with a `let`, or a state of a kernel, is cloned
-//! at each use except the last. Other inputs and constants are always cloned.
+//! Values with a `let` and states of kernels are cloned at each use except the last. Other inputs
+//! and constants are always cloned. Operations keep the order of the plan.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};

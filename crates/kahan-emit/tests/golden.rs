@@ -41,7 +41,6 @@ impl Shown {
         formatted(&quote!(#(#items)*))
     }
 
-    /// Removes functions that were shown before from the implementations inside the constant.
     fn take(&mut self, block: &mut Block, functions: &[&str]) {
         for statement in &mut block.stmts {
             if let Stmt::Item(Item::Const(constant)) = statement
@@ -55,7 +54,6 @@ impl Shown {
         }
     }
 
-    /// Removes functions that were shown before, and returns whether any remain.
     fn has_news(&mut self, item: &mut ItemImpl, functions: &[&str]) -> bool {
         let name = item.self_ty.to_token_stream().to_string();
         let name = name.split(' ').next().unwrap_or_default().to_owned();

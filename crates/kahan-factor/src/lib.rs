@@ -3,8 +3,8 @@
 //! First the common factors of all terms, and of all coefficients in a main variable, are divided
 //! out. Then an image in one variable is factored (`univariate`). Its factors are lifted to the
 //! other variables (`multivariate`, `sparse`, `series`). Divisions prove that factors are right.
-//! Irreducible images prove that factors are irreducible. Seeded random points affect only the
-//! speed, and a budget of work ends the search.
+//! Irreducible images prove that factors are irreducible. Seeded random points affect the speed,
+//! and whether all factors are found. A budget of work ends the search.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -40,7 +40,7 @@ pub struct Factors {
     pub is_complete: bool,
 }
 
-/// Longer polynomials are not decomposed into square-free factors after the budget ran out.
+/// After the budget runs out, polynomials with more terms than this are not made square-free.
 const SQUARE_FREE_TERMS: usize = 20_000;
 const SQUARE_FREE_WORK: u64 = 4_000_000;
 
@@ -104,7 +104,7 @@ fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Po
     Ok(Some(factors))
 }
 
-/// Prefers a variable of degree 1, then a low degree and a short leading coefficient.
+/// Chooses a variable of degree 1, or else of low degree with a short leading coefficient.
 fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     polynomial.variables().into_iter().min_by_key(|&variable| {
         let degree = polynomial.degree_in(variable);

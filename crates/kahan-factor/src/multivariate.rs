@@ -16,7 +16,7 @@ use super::{Powers, irreducible, univariate, without_monomial};
 
 /// Limits the attempts with new points. Each attempt draws its points from a larger range.
 const MAX_ATTEMPTS: u32 = 8;
-/// Each attempt compares this many images and lifts the one with the fewest factors.
+/// Each attempt factors images at this many points, and lifts the one with the fewest factors.
 const IMAGES_PER_ATTEMPT: usize = 2;
 
 /// Returns the irreducible factors with their exponents. Returns `None` if no image can be lifted.

@@ -10,22 +10,22 @@ use kahan_algebra::prime_field::PrimeField;
 use super::dense::{self, Dense};
 
 /// The coefficients of a polynomial in x and y. Row i holds the coefficients of xⁱ by powers of y
-/// or of t.
+/// or of t = y − point.
 pub(super) type BivariateCoefficients = Vec<Vec<u64>>;
 
 pub(super) struct LiftingProblem<'a> {
-    /// The polynomial to factor, up to a divisor without x. All rows have equal length.
+    /// The polynomial to factor, up to a factor without x. All rows have equal length.
     pub(super) whole: &'a BivariateCoefficients,
     pub(super) factors: &'a [(Dense, u32)],
-    /// A multiple of the leading coefficient of each factor, by powers of y. Each multiple has the
-    /// length of a row of `whole`.
+    /// For each factor: a multiple of its leading coefficient, by powers of y. Each multiple has as
+    /// many entries as a row of `whole`.
     pub(super) multipliers: &'a [Dense],
     pub(super) point: u64,
 }
 
-/// Lifts each factor to a polynomial with the multiplier as leading coefficient. Returns `None` if
-/// the leading coefficient of `whole` is 0 at the point, or if two factors have a common root
-/// there.
+/// Lifts each factor to a polynomial in x and y whose leading coefficient is the factor's
+/// multiplier. Returns `None` if the leading coefficient of `whole` is 0 at y = `point`, or if two
+/// factors have a common root there.
 pub(super) fn lift(field: PrimeField, question: &LiftingProblem<'_>) -> Option<Vec<BivariateCoefficients>> {
     let LiftingProblem { whole, factors, multipliers, point } = question;
     let len = whole[0].len();
@@ -142,7 +142,7 @@ fn scaled(field: PrimeField, row: &[u64], factor: u64) -> Dense {
     row.iter().map(|&value| field.mul(value, factor)).collect()
 }
 
-/// Returns the coefficients of a(y + by).
+/// Returns the coefficients of the polynomial a(y + c) with c = `by`.
 fn shift(field: PrimeField, a: &[u64], by: u64) -> Dense {
     let mut shifted = a.to_vec();
     for done in 0..a.len() {

@@ -22,17 +22,17 @@ pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 /// A polynomial to factor, and the factors of an image in the main variable.
 pub(super) struct SparseLiftingProblem<'a> {
     pub(super) whole: &'a Polynomial,
-    /// The main variable comes first.
+    /// The variables, of which the main variable comes first.
     pub(super) order: &'a [Variable],
     /// The values of all variables except the main one.
     pub(super) points: &'a [i64],
     pub(super) images: &'a [(Polynomial, u32)],
-    /// A multiple of the leading coefficient of each factor in the main variable.
+    /// For each factor: a multiple of its leading coefficient in the main variable.
     pub(super) multipliers: &'a [Polynomial],
 }
 
-/// Lifts each factor to a polynomial with the multiplier as leading coefficient. Returns `None` if
-/// the points do not allow the lift.
+/// Lifts each factor to a polynomial whose leading coefficient is the factor's multiplier. Returns
+/// `None` if the lift fails at the points.
 pub(super) fn lift(
     field: PrimeField,
     problem: &SparseLiftingProblem<'_>,
@@ -161,7 +161,7 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
 }
 
-/// A polynomial evaluated at successive powers of a point. One or two variables get no value.
+/// A polynomial evaluated at successive powers of a point, except for one or two variables.
 struct PowerEvaluation {
     /// For each term: the exponents of the variables without a value, the value of the other
     /// factors, and the ratio of the next value to this one.

@@ -39,7 +39,7 @@ pub(super) fn yun(
     let quotient = |a: &Polynomial, b: &Polynomial, budget: &mut Budget| {
         Ok(a.div_within(b, budget)?.expect("a common divisor divides"))
     };
-    // In step k, left = ∏_{i≥k} fᵢ and slope = Σ (i − k + 1)·fᵢ′·∏_{j≠i} fⱼ.
+    // For ∏ fᵢⁱ, step k has left = ∏_{i≥k} fᵢ and slope = Σ (i − k + 1)·fᵢ′·∏_{j≠i} fⱼ.
     let mut left = quotient(polynomial, &repeated, budget)?;
     let mut slope = quotient(&derivative, &repeated, budget)?;
     let mut factors = Vec::new();

@@ -77,7 +77,7 @@ fn known_products_come_back() {
     assert_found(&[("a", 3), ("b", 1), ("a^2 + b", 2), ("a + b^2", 3), ("a*b - 1", 1)]);
     assert_eq!(all_factors(&p("x^4 + 4*y^4")).len(), 2);
     assert_eq!(all_factors(&p("x^2 + y^2 + z^2 + 2*x*y + 2*x*z + 2*y*z - 1")).len(), 2);
-    // The first factor divides an image of the second.
+    // At z = 0, the three factors are equal.
     assert_found(&[("x^2 + y", 1), ("x^2 + y + z^2 - z*t", 2), ("x^2 + y + z", 1)]);
 }
 

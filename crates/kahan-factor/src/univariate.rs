@@ -84,8 +84,8 @@ fn separation_work(degree: usize) -> u64 {
     (degree as u64).saturating_pow(3).saturating_mul(8) / RESIDUES_PER_TERM + degree as u64
 }
 
-/// Returns the monic image modulo the prime. Returns `None` if the image has a smaller degree or
-/// repeated factors.
+/// Returns the polynomial modulo the prime, divided by its leading coefficient. Returns `None` if
+/// the degree is smaller there or a factor is repeated.
 fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> {
     let field = PrimeField::new(prime)?;
     let image: Dense =

@@ -110,7 +110,7 @@ impl<T: 'static> Code<T> {
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
         /// The usual length of the address table. Clearing a longer table takes more time.
         const FEW: usize = 32;
-        /// The maximum number of columns. The interpreter steps larger fields.
+        /// The maximum number of columns. Fields with more variables run in the interpreter.
         const MOST: usize = 256;
 
         if columns.len() <= FEW {
@@ -187,7 +187,8 @@ fn written<T>(numbers: &mut [T]) -> usize {
     numbers.as_mut_ptr().expose_provenance()
 }
 
-/// Converts a number of steps to `usize`. Larger numbers never complete, and become `usize::MAX`.
+/// Converts a number of steps to `usize`. A number that does not fit becomes `usize::MAX`, since so
+/// many steps never end.
 fn step_count(steps: u64) -> usize {
     usize::try_from(steps).unwrap_or(usize::MAX)
 }

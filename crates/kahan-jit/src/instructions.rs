@@ -9,7 +9,7 @@ type Extension = (&'static str, fn() -> bool);
 /// An instruction set of a processor. Later sets of an architecture include earlier sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
-    /// AVX, with sixteen registers that are used with 128 bits.
+    /// AVX, with sixteen registers, of which 128 bits are used.
     Avx,
     /// AVX2 and FMA, with sixteen registers of 256 bits and fused multiply-adds.
     Avx2,
@@ -23,7 +23,8 @@ impl InstructionSet {
     /// All instruction sets.
     pub const ALL: [Self; 4] = [Self::Avx, Self::Avx2, Self::Avx512, Self::Neon];
 
-    /// Returns the smallest instruction set of this architecture that suffices for scalar code.
+    /// Returns the smallest instruction set of this architecture for scalar code, with fused
+    /// multiply-adds if `fuses` is true.
     #[must_use]
     pub const fn least(fuses: bool) -> Self {
         match (cfg!(target_arch = "aarch64"), fuses) {
@@ -54,7 +55,8 @@ impl InstructionSet {
         Ok(())
     }
 
-    /// Returns the extensions that the code needs. Larger sets also use encodings of smaller sets.
+    /// Returns the extensions that the code needs. Code for a larger set also uses encodings of the
+    /// smaller sets.
     pub(crate) fn extensions(self) -> &'static [Extension] {
         #[cfg(target_arch = "x86_64")]
         macro_rules! extensions {
@@ -69,7 +71,8 @@ impl InstructionSet {
         match self {
             Self::Avx => extensions!["avx"],
             Self::Avx2 => extensions!["avx", "avx2", "fma"],
-            // Registers beyond the first sixteen need AVX-512F, and below 512 bits also AVX-512VL.
+            // Registers from number 16 on need AVX-512F; instructions on fewer than 512 of their
+            // bits also need AVX-512VL.
             Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
             Self::Neon => &[],
         }

@@ -60,7 +60,8 @@ impl Lowering {
         self.lowered.push(operation)
     }
 
-    /// Returns the node of result `i`; for an input or constant stored elsewhere, a copy.
+    /// Returns the node of result `i`. An input or constant is copied, unless it is the state that
+    /// stays in place.
     fn result(&mut self, i: usize, place: Node, ends: ResultDestination) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
             (Instruction::Input(Input::State(_)), ResultDestination::Carried) => true,

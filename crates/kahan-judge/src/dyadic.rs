@@ -8,7 +8,8 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::Float;
 use num_bigint::{BigInt, Sign};
 
-/// The number integer·2^exponent, not normalised: [`compare`](Dyadic::compare) tests equality.
+/// The number integer·2^exponent. Equal numbers may differ in both fields, so use
+/// [`compare`](Dyadic::compare).
 #[derive(Clone, Debug)]
 pub(crate) struct Dyadic {
     integer: BigInt,
@@ -74,7 +75,7 @@ impl Dyadic {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
             let exponent = self.exponent + excess as i64;
-            // The magnitude is shifted, because a shift of a negative number would round down.
+            // The magnitude is shifted, because shifting a negative number rounds down, not to 0.
             let magnitude = BigInt::from(self.integer.magnitude() >> excess);
             let integer = if self.is_negative() { -magnitude } else { magnitude };
             (Self { integer, exponent }, exponent)

@@ -149,7 +149,7 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let (most, size) = (largest(sums.iter().map(Ball::most)), largest(next.iter().map(Ball::least)));
     let (least, size_at_most) = (largest(sums.iter().map(Ball::least)), largest(next.iter().map(Ball::most)));
     let (above, below) = (&most * &size_at_most, &least * &size);
-    // A relative error of 2⁻²⁰ is accepted.
+    // A relative error of 2⁻²⁰ of the condition number is accepted.
     let is_known = !size.is_zero() && (&above - &below).scaled(20).compare(&below) != Ordering::Greater;
     is_known.then(|| most.ratio(&size))
 }

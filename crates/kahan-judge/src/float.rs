@@ -28,7 +28,7 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     const EPS_BINADES: i64;
     /// Random ‖x‖ lie between 2^−STATE_BINADES and 2^STATE_BINADES.
     const STATE_BINADES: i64;
-    /// The condition number below which `try_step` must return a result, if that is guaranteed.
+    /// `try_step` must return a result if the condition number is smaller. `None` if it need not.
     const FLAG_CONDITION: Option<f64>;
 
     fn of(value: f64) -> Self;
@@ -48,7 +48,7 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
         Self::of([f64::INFINITY, f64::NEG_INFINITY, f64::NAN][(which % 3) as usize])
     }
 
-    /// Makes the step named by [`WIDER_TIER`](Self::WIDER_TIER), if the scalar has one.
+    /// Makes the step named by [`WIDER_TIER`](Self::WIDER_TIER), if the scalar type has one.
     fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
     where
         M: ExtendScalars<Self, N>,

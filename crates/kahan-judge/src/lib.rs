@@ -48,15 +48,15 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
 /// are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials of each scalar. Trials with subnormal, infinite or NaN inputs and with
-    /// large steps are added.
+    /// The number of trials for each scalar type. Trials with subnormal, infinite or NaN inputs and
+    /// with large steps are added.
     pub trials: u64,
     /// The number of random fields. The trials are divided among them and the systems.
     pub random_fields: usize,
     /// The number of additional random fields with extreme coefficients.
     pub odd_fields: usize,
-    /// The number of trials of each scalar for a field with extreme coefficients. Every twentieth
-    /// field has ten times this number.
+    /// The number of trials for each scalar type and each field with extreme coefficients. Every
+    /// twentieth field has ten times this number.
     pub odd_trials: u64,
     /// The seed of points and fields. Equal seeds draw equal trials on any number of threads.
     pub seed: u64,
@@ -75,17 +75,17 @@ pub struct Judged {
     pub system: String,
     /// The systems among which the trials were divided.
     pub systems: Vec<String>,
-    /// The name and the equations of each random field that was tested like a system.
+    /// The name and the equations of each random field that got a part of the trials.
     pub random_fields: Vec<(String, String)>,
     /// The number of additional fields with extreme coefficients.
     pub odd_fields: usize,
-    /// The number of trials of each scalar, as in [`Extremes::trials`].
+    /// The number of trials for each scalar type, as in [`Extremes::trials`].
     pub trials: u64,
     /// The seed of points and fields.
     pub seed: u64,
     /// The duration of the survey in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// The counts for each regime, kind of step and scalar.
+    /// The counts for each regime, kind of step and scalar type.
     #[serde(flatten)]
     pub tally: Tally,
     /// The names of the systems that have removable poles.

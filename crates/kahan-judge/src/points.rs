@@ -117,7 +117,7 @@ impl<T: Float> InputSampler<'_, T> {
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -60, 10) } else { inputs }
     }
 
-    /// Moves one variable of a point near a pole, or near a removable pole.
+    /// Moves a point near a pole, or near a removable pole, by changing one of its variables.
     fn near_pole(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
         const ATTEMPTS: usize = 12;
         for _ in 0..ATTEMPTS {

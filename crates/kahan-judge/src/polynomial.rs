@@ -69,7 +69,7 @@ pub(crate) struct Univariate {
 }
 
 impl Univariate {
-    /// Writes the polynomial as a polynomial in each variable that occurs.
+    /// Returns the polynomial as a polynomial in one variable, for each variable in it.
     pub(crate) fn all(polynomial: &Polynomial, scale: &BigInt) -> Vec<Self> {
         let of = |variable: Variable| {
             let parts = polynomial.coefficients_in(variable);

@@ -12,7 +12,7 @@ use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension};
 
 use super::float::Float;
 
-/// The steps of one map over one scalar. Each result has as many components as x.
+/// The steps of one map in one scalar type. Each result has as many components as x.
 pub(crate) trait StepMethods<T>: Debug + Send + Sync {
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
 
@@ -24,7 +24,7 @@ pub(crate) trait StepMethods<T>: Debug + Send + Sync {
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 }
 
-/// Returns the steps of a map over a scalar, or an error beyond eight variables.
+/// Returns the steps of a map in a scalar type, or an error beyond eight variables.
 pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn StepMethods<T>>, UnsupportedDimension> {
     match map.field().variables().len() {
         1..=4 => Ok(among::<T, 4>(map)),
@@ -69,8 +69,8 @@ mod tests {
 
     use super::*;
 
-    /// Tests that padding does not change where `try_step` begins: in `f32` up to four variables,
-    /// and in `f64` beyond.
+    /// Tests that `try_step` begins with the precision of generated code: `f32` up to four
+    /// variables, and `f64` beyond.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {
         let mut text = String::new();

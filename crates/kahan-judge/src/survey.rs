@@ -77,8 +77,8 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
 
 /// Runs `trials` trials each of `f32`, `f64` and `Dd`, cycling through the systems.
 ///
-/// One quarter of the trials each are near poles, near removable poles, of mixed magnitudes, and
-/// ordinary. Trials with subnormal inputs, nonfinite inputs and large steps are added.
+/// A quarter of the trials is near poles, one near removable poles, one of mixed magnitudes, and
+/// one ordinary. Trials with subnormal inputs, nonfinite inputs and large steps are added.
 pub(crate) fn survey(tried: &[TestedMap], trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     on_threads(tried, trials, seed, count.threads(), count)
 }
@@ -119,7 +119,7 @@ pub(crate) fn total_of_odd(fields: usize, trials: u64) -> u64 {
     (fields as u64 - more) * total(trials) + more * total(10 * trials)
 }
 
-/// Runs all trials of one scalar in blocks. An idle thread takes the next block.
+/// Runs all trials of one scalar type in blocks. An idle thread takes the next block.
 fn of_scalar<T: Float>(ready: &PreparedTrials<'_, T>, threads: usize, count: &WorkCount<'_>) -> Tally {
     const TRIALS_PER_BLOCK: usize = 64;
     let trials = usize::try_from(ready.count()).expect("no more trials than a machine makes");

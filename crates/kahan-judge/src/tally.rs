@@ -7,12 +7,12 @@ use serde::{Serialize, Serializer};
 
 use super::regime::Regime;
 
-/// Counts of the trials of one regime, kind of step and scalar.
+/// Counts of the trials of one regime, kind of step and scalar type.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Cell {
     /// The number of trials.
     pub trials: u64,
-    /// The largest relative error ‖error‖∞/‖exact‖∞ in multiples of the scalar's unit u; `None`
+    /// The largest relative error ‖error‖∞/‖exact‖∞ in multiples of u = 2^−precision; `None`
     /// without results.
     #[serde(serialize_with = "finite")]
     pub max_error_u: Option<f64>,
@@ -25,7 +25,7 @@ pub struct Cell {
     pub silently_wrong: u64,
 }
 
-/// The regime, the kind of step and the scalar of a cell.
+/// The regime, the kind of step and the scalar type of a cell.
 pub type CellKey = (Regime, &'static str, &'static str);
 
 /// A trial in which `try_step` violated its error bound, or refused without a reason.
@@ -42,10 +42,10 @@ pub struct Failure {
     pub text: String,
 }
 
-/// The counts for each regime, kind of step and scalar, and the first failures of `try_step`.
+/// The counts for each regime, kind of step and scalar type, and the first failures of `try_step`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Tally {
-    /// The counts for each regime, kind of step and scalar.
+    /// The counts for each regime, kind of step and scalar type.
     #[serde(serialize_with = "by_place")]
     pub cells: BTreeMap<CellKey, Cell>,
     /// The failures of `try_step` in each system, by the system's name.

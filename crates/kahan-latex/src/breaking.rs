@@ -100,7 +100,8 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
 
 const LEAST_WIDTH: usize = 16;
 
-/// Distributes a width over columns. Wide columns divide equally what narrow columns leave.
+/// Distributes a width over columns. Wide columns get equal parts of the width that narrow columns
+/// leave.
 fn column_shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
     // Every pass but the last decreases `share`, so the loop ends.

@@ -78,7 +78,7 @@ impl Notation for Latex {
 
     /// Writes a quotient with integer coefficients and its sign in front: (½ x y)/a is xy/(2a).
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
-        // Dividing by a negative number could make a denominator begin with −1 instead of 1.
+        // Contents are made positive, because a negative one changes the signs in the denominator.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else {
             return self.polynomial(symbols, above);
@@ -138,7 +138,7 @@ impl Notation for Latex {
     }
 }
 
-/// Returns whether a factor is a name of several letters, or the image or a power of such a name.
+/// Returns whether a factor is a name of several letters, possibly with a tilde or an exponent.
 fn is_word(factor: &str) -> bool {
     factor.trim_start_matches("\\widetilde{").starts_with("\\mathit{")
 }

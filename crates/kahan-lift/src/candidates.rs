@@ -26,8 +26,8 @@ const MOST_SETS: usize = 8;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SearchEffort {
     pub(crate) nodes: usize,
-    /// Whether the search also returns sets with one more variable, and sets with a relation for
-    /// each variable.
+    /// Whether the search also returns sets with one variable more than necessary, and sets with a
+    /// relation for each variable.
     pub(crate) surplus: bool,
 }
 

@@ -88,7 +88,7 @@ pub(crate) fn choose<'a>(
         }
     }
     let exponent = |one: &RatedCandidate<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
-    // Lifts whose new variables depend on few states are preferred, for example x² to x·p.
+    // Lifts whose new variables depend on few states are preferred: x² is preferred to x·p.
     let spread = |one: &RatedCandidate<'_>| {
         let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()

@@ -13,7 +13,7 @@ use kahan_program::{Calls, Node, Program};
 use crate::laurent::Laurent;
 use crate::ring::{CoordinateDefinition, Function, Ring};
 
-/// An input of the program, which is a state or a parameter.
+/// An input of the program that computes new variables: a state or a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
     /// A state by its index in a point. The time, if present, has the highest index.
@@ -22,7 +22,7 @@ pub enum Input {
     Parameter(usize),
 }
 
-/// A function that the program calls.
+/// A function that the program for the new variables calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CalledFunction {
     /// The power aⁿ by repeated squaring. For negative n, the reciprocal of a⁻ⁿ is returned.
@@ -58,7 +58,7 @@ impl kahan_program::Function for CalledFunction {
     }
 }
 
-/// An instruction of the program.
+/// An instruction of the program that computes new variables.
 pub type Operation = kahan_program::Operation<Input, Rational, CalledFunction>;
 
 impl Calls<CalledFunction> for Float64 {

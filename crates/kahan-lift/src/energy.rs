@@ -128,7 +128,7 @@ fn along(ring: &Ring, state: usize) -> Ring {
     ring
 }
 
-/// Returns the partial derivatives with respect to the first `states` coordinates.
+/// Returns the derivatives of all polynomials with respect to the first `states` coordinates.
 pub(crate) fn slopes<'a>(
     ring: &Ring,
     states: usize,

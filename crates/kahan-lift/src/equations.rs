@@ -17,7 +17,7 @@ pub(crate) struct Equations {
     pub ring: Ring,
 }
 
-/// The names in the equations of a lifted block.
+/// The names in the equations of a block that is to be lifted.
 #[derive(Clone, Debug)]
 pub struct EquationNames {
     /// The names of the states in the order of their equations. The time `t` comes last.
@@ -28,8 +28,8 @@ pub struct EquationNames {
     pub has_time: bool,
 }
 
-/// Reads the names in a lifted block. Values in [`Options::orbit`](crate::Options::orbit) have the
-/// order of these names.
+/// Reads the names in a block that is to be lifted. Values in
+/// [`Options::orbit`](crate::Options::orbit) have the order of these names.
 ///
 /// # Errors
 /// Returns all mistakes, each with a place and a remedy.

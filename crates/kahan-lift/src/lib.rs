@@ -2,9 +2,8 @@
 //!
 //! The input is a block of equations with functions, quotients and powers. The output is a
 //! [`Lift`], a quadratic field in the states and in new variables. Each new variable stands for a
-//! function of the states. Formulas are exact. Floats serve only to choose a lift and to compute
-//! initial values. The crate must not know Kahan's map, so `kahan-algebra` tells what a map
-//! preserves.
+//! function of the states. Formulas are exact. Floats serve to choose a lift, to compute initial
+//! values, and to project points onto relations. `kahan-algebra` tells what Kahan's map preserves.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

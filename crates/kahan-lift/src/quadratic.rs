@@ -46,8 +46,8 @@ pub(crate) struct Products<'a> {
     ring: &'a Ring,
     /// The states, then the functions of the new variables.
     variables: Vec<Laurent>,
-    /// The products that are a single monomial. The order of the products for a monomial determines
-    /// the order of relations in results.
+    /// For each monomial: the products that equal it. Their order determines the order of relations
+    /// in results.
     direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
     /// Polynomials in the variables that vanish as functions of the states.
@@ -79,8 +79,8 @@ impl<'a> Products<'a> {
         products
     }
 
-    /// Solves each product with one unknown monomial for this monomial, until nothing changes.
-    /// Products without unknown monomials are relations.
+    /// If a product contains only one unknown monomial, solves it for this monomial. Repeats this
+    /// until nothing changes. Products without unknown monomials are relations.
     fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();
@@ -171,8 +171,8 @@ impl<'a> Products<'a> {
         Some(ways)
     }
 
-    /// Returns alternative quadratic fields, with the preferred field first. The map `fixed`
-    /// prescribes some of the equations.
+    /// Returns alternative quadratic fields, with the preferred field first. Some of the equations
+    /// are prescribed by `fixed`.
     pub(crate) fn quadratic_fields(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
         for index in 0..self.variables.len() {

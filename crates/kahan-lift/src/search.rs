@@ -23,8 +23,8 @@ pub(crate) struct CoverProblem {
     pub given: Vec<Monomial>,
     /// Polynomials that are already variables.
     pub sums: Vec<Laurent>,
-    /// Monomials that must be products of variables, together with the monomials in derivatives of
-    /// new variables.
+    /// Monomials that must be products of variables. Monomials in derivatives of new variables must
+    /// be, too.
     pub required: Vec<Monomial>,
     /// Coordinates that may have negative exponents in new variables.
     pub negative: BTreeSet<usize>,
@@ -63,7 +63,7 @@ impl MonomialCover {
         }
     }
 
-    /// Covers each monomial that is the only missing one in a product, until nothing changes.
+    /// If a product has only one missing monomial, covers this monomial, until nothing changes.
     fn close(&mut self) {
         loop {
             let before = self.covered.len();
@@ -90,9 +90,9 @@ struct Search<'a> {
     sets: Vec<Vec<MonomialId>>,
 }
 
-/// Returns the smallest closed sets of at most `most` variables, then sets with up to `surplus`
-/// more variables. The search visits at most `budget` nodes. Returns `None` if no closed set is
-/// found.
+/// Returns the smallest sets of at most `most` variables that make the equations quadratic (closed
+/// sets), then sets with up to `surplus` more variables. The search visits at most `budget` nodes.
+/// Returns `None` if no closed set is found.
 pub(crate) fn search(
     ring: &Ring,
     problem: &CoverProblem,
@@ -102,7 +102,7 @@ pub(crate) fn search(
 ) -> Option<VariableSets> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy_set(most);
-    // If the greedy search exceeds a limit from another ring, a full search rarely succeeds.
+    // If the greedy search exceeds the limit `most`, a full search rarely succeeds.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }
@@ -128,8 +128,8 @@ pub(crate) fn search(
     Some(VariableSets { sets: search.monomials(vec![set]), is_optimal: false })
 }
 
-/// Finds a closed set, not always a smallest one. Each variable is a product of two others, or the
-/// inverse of a polynomial.
+/// Finds a set that makes the equations quadratic, not always a smallest one. Each variable is a
+/// product of two others, or the inverse of a polynomial.
 pub(crate) fn founded(ring: &Ring, problem: &CoverProblem) -> Option<Vec<Laurent>> {
     let mut search = Search { founded: true, ..Search::new(ring, problem, 0) };
     let mut seeds: Vec<MonomialId> = Vec::new();
@@ -374,8 +374,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Returns a closed set. Variables that leave the fewest missing monomials are added first.
-    /// Unnecessary variables are removed at the end.
+    /// Returns a set that makes the equations quadratic. Variables that leave the fewest missing
+    /// monomials are added first. Unnecessary variables are removed at the end.
     fn greedy_set(&mut self, most: usize) -> Option<Vec<MonomialId>> {
         let closed = self.closure(Vec::new(), most, 0)?;
         Some(self.without_unnecessary(closed))
@@ -396,8 +396,8 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Extends `new` to a closed set of at most `most` variables. Different values of `twist` may
-    /// give different sets.
+    /// Extends `new` to at most `most` variables that make the equations quadratic. Different
+    /// values of `twist` may give different sets.
     fn closure(&mut self, mut new: Vec<MonomialId>, most: usize, twist: u64) -> Option<Vec<MonomialId>> {
         let mut cover = self.cover(&new);
         loop {

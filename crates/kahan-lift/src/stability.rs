@@ -110,7 +110,7 @@ impl Orbit {
         if count == 0 {
             return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // The list has the entries of Dg, then those of ∂F/∂w.
+        // The list has ∂(new variables)/∂(states), then ∂(equations)/∂(new variables).
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {
@@ -152,8 +152,8 @@ impl Orbit {
                     row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
             }
-            // exp(hΛ) is about (1 + sΛ + (sΛ)²/2)^(h/s) for a step h in parts s. Usually s‖Λ‖ is at
-            // most 1/2.
+            // For the matrix Λ = `lambda` and a step h in parts s, exp(hΛ) is about (1 + sΛ +
+            // (sΛ)²/2)^(h/s). Usually s‖Λ‖ is at most 1/2.
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;

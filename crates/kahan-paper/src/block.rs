@@ -1,7 +1,7 @@
-//! Proves claims of `kahan!` blocks a second time, independently of the macro.
+//! Proves claims of `kahan!` blocks a second time, in two ways.
 //!
 //! The macro proves claims modulo primes. This module repeats that proof, and also expands both
-//! sides over ℚ unless the expansion would be too large.
+//! sides over ℚ unless the expansion would be too large. The expansion is an independent proof.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{Verdict, prove_all, prove_by_normal_form};

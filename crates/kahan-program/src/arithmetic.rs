@@ -26,12 +26,12 @@ pub trait Arithmetic {
     fn multiply_add(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.add(&self.multiply(a, b), c)
     }
-    /// Returns a · b − c, rounded as often as [`multiply_add`](Self::multiply_add).
+    /// Returns a · b − c with the rounding of [`multiply_add`](Self::multiply_add).
     #[inline]
     fn multiply_subtract(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.subtract(&self.multiply(a, b), c)
     }
-    /// Returns a − b · c, rounded as often as [`multiply_add`](Self::multiply_add).
+    /// Returns a − b · c with the rounding of [`multiply_add`](Self::multiply_add).
     #[inline]
     fn subtract_product(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.subtract(a, &self.multiply(b, c))

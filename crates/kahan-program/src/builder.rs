@@ -198,7 +198,8 @@ where
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }
 
-    /// Joins a and b without their minus signs, and restores the sign; `None` if neither has one.
+    /// Combines a and b without their minus signs, and negates the result if only one of them had a
+    /// minus sign. Returns `None` if neither has one.
     fn with_sign_outside(
         &mut self,
         a: Node,

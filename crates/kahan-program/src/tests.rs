@@ -119,7 +119,6 @@ fn a_power_is_repeated_squaring() {
     assert_eq!(builder.finish(&[power]).text(name), "v1 = x*x\nv2 = v1*v1\nv3 = x*v2\n");
 }
 
-/// Returns the program of x/y and x·y − z.
 fn quotient_and_difference() -> Plain {
     let mut builder = Builder::default();
     let [x, y, z] = [0, 1, 2].map(|input| builder.input(input));

@@ -121,7 +121,8 @@ impl Coefficients {
         Coefficients { symbols, components }
     }
 
-    /// Adds a coefficient: to c if no state is given, to B for one state, to Q for two states.
+    /// Adds a coefficient of ẋ = c + Bx + Q(x,x): to c if no state is given, to B for one state, to
+    /// Q for two states.
     ///
     /// # Errors
     /// [`CoefficientError`] if the value is not finite, or an index is out of range.

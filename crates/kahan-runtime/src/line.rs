@@ -18,7 +18,8 @@ type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 /// A straight-line program with several results.
 ///
 /// The registers hold, in order: the constants, the numbers in the plan, the states, and the
-/// computed values. The constants are parameters and ε, or for a kernel the prepared constants.
+/// computed values. The constants are parameters and ε, or, for the part of a step that depends on
+/// the state, the prepared constants.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     program: Program<Vec<Instruction>>,
@@ -110,12 +111,12 @@ impl Line {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }
 
-    /// Prepares a plan in which a division by zero yields no value.
+    /// Prepares a plan. A division by zero yields no value.
     pub(crate) fn with_checked_divisions(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, true)
     }
 
-    /// Prepares the kernel of a step; a division by zero yields no value.
+    /// Prepares the part of a step that depends on the state. A division by zero yields no value.
     pub(crate) fn of_kernel(plan: &Plan, symbols: &Symbols, prepared: usize) -> Self {
         Self::new(plan, symbols, prepared, true)
     }

@@ -89,8 +89,8 @@ impl Map {
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // The type matters only for `f32`: up to four variables, the step is first tried in single
-        // precision.
+        // The type matters only for `f32`. With up to four variables, the step is first tried in
+        // single precision.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),
             5..=8 => self.try_step_among::<T, 8>(x, eps, next),

@@ -80,7 +80,6 @@ fn a_step_is_that_of_the_coefficients_at_eps() {
         assert_eq!(map.rhs(&x, eps.clone()), x);
         let next = map.step(&x, eps.clone());
         assert_eq!(map.step_back(&next, eps), x, "reversibility");
-        // `field` and `bilinear` have the coefficients at ε = 0.
         assert_eq!(map.field(&x), vector![x[0].clone() * x[0].clone()]);
         assert_eq!(map.bilinear(&x, &next), vector![x[0].clone() * next[0].clone()]);
     }
@@ -287,7 +286,6 @@ fn derivatives_are_those_of_the_step() {
     }
 }
 
-/// The local error has a term that comes from the difference of the coefficients at ε and at 0.
 #[test]
 fn the_local_error_counts_the_coefficients() {
     let (map, x) = (Advance { a: 2.0 }, 0.75_f64);

@@ -6,7 +6,6 @@ use kahan_core::prelude::*;
 use kahan_core::{LatticeMap, Level, Step, Workspace};
 use kahan_runtime::{Field, FieldText, Lattice, LatticeError, ParameterError};
 
-/// Declares a family with the macro, and its text as a constant.
 macro_rules! family {
     ($text:ident, $($block:tt)*) => {
         kahan! { $($block)* }
@@ -72,7 +71,8 @@ fn start(len: usize) -> Vec<f64> {
     (0..len).map(|k| 1.0 + 0.5 * (0.7 * k as f64).sin()).collect()
 }
 
-/// Steps both chains at each instruction-set level, and returns the largest difference.
+/// Steps a run-time chain and a compiled chain at each instruction-set level, and returns the
+/// largest difference.
 fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values: &[(&str, &[f64])]) -> f64 {
     let lattice = lattice(text);
     let mut worst = 0.0_f64;
@@ -117,7 +117,6 @@ fn chains_have_the_bits_of_the_macro() {
     }
 }
 
-/// Site 1 makes its segment's matrix singular: its column has only an entry in the separator's row.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (300, 0.125);
@@ -131,7 +130,6 @@ fn a_singular_part_sends_the_step_to_the_whole() {
     assert_eq!(state, expected);
 }
 
-/// Compiled long chains are cut into segments; run-time chains with a rare stencil are not.
 #[test]
 fn long_chains_of_rare_shapes_are_those_of_the_macro() {
     for sites in [300, 3000] {
@@ -244,17 +242,14 @@ fn one_function_takes_every_map() {
         Box::new(LatticeMap::at(&Springs, eps, 5).unwrap()),
         Box::new(lattice(SPRINGS).at(eps, 5, NOTHING).unwrap()),
     ];
-    // Equal springs that start equally move like a single spring.
     let starts = [[1.0, 0.0].to_vec(), [1.0, 0.0].repeat(5)];
     for (k, map) in maps.iter().enumerate() {
         let time = zero(&**map, &starts[k / 2]).unwrap();
-        // Steps of order two find the quarter turn with a relative error below ε².
         let quarter = std::f64::consts::FRAC_PI_2;
         assert!((time - quarter).abs() < eps * eps * quarter, "{k}: {time}");
     }
 }
 
-/// Run-time chains reuse the caller's workspace, even after other chains used it.
 #[test]
 fn a_room_serves_chains_in_turn() {
     let mut workspace = Workspace::new();

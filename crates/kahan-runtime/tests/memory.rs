@@ -28,7 +28,6 @@ fn follow() {
 
 #[test]
 fn maps_that_were_dropped_hold_no_memory() {
-    // First allocate everything that is made once for the whole program.
     follow();
     let counted = measure(|| (0..50).for_each(|_| follow()));
     assert!(counted.count_total > 0, "nothing is counted");
@@ -40,7 +39,6 @@ fn maps_that_were_dropped_hold_no_memory() {
 fn steps_of_floats_allocate_nothing() {
     fn count<T: Scalar, const N: usize>(map: &Interpreted<T, N>, x: SVector<T, N>, eps: T) -> u64 {
         let at = map.at(eps);
-        // The first evaluation prepares a plan, which is cached.
         let slope = map.field(&x);
         let counted = measure(|| {
             let last = (0..100).fold(x.clone(), |x, _| at.step(&x));

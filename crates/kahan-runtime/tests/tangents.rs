@@ -97,7 +97,6 @@ fn a_step_allocates_nothing() {
     assert_eq!(allocation_counter::measure(|| go(10..50)).count_total, 0);
 }
 
-/// Wrapped maps, such as `Compensated`, compute the same bits as the map's own methods.
 #[test]
 fn modes_are_maps_of_their_own() {
     let (_, map) = lorenz();
@@ -122,7 +121,6 @@ fn modes_are_maps_of_their_own() {
         let with_vector = Orbit::new(map.tangent(), beside).nth(steps as usize).unwrap();
         assert_eq!(with_vector, [&x[..], &v].concat());
 
-        // The state is rounded to `f32` after each step in `f64`.
         let (mut x, mut rounded) = (start, start.map(|entry| entry as f32));
         ThroughF64::of_step(&map).advance(&mut rounded, steps, &mut workspace).unwrap();
         for _ in 0..steps {

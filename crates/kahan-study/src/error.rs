@@ -69,7 +69,8 @@ pub enum StudyError {
         /// The number of given coordinates.
         given: usize,
     },
-    /// Some variables have no initial values in a question over axes.
+    /// Some variables have no initial value: there are no first points, and no axis varies these
+    /// variables.
     MissingCoordinates {
         /// The variables.
         names: Vec<String>,
@@ -260,8 +261,8 @@ impl StudyError {
     }
 }
 
-/// Spells a named value in the style of a front end, such as `--eps 1/2`. If `value` is empty, only
-/// the name is spelled.
+/// Writes the name of an option and its value as users of an interface write them: `--eps 1/2`. If
+/// `value` is empty, only the name is written.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
 /// Spells a named value in the style of JSON, TOML and Python: the name, then the value.

@@ -328,7 +328,8 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Joins operands from left to right by `operator`, or by `inverse` where the flag is set.
+    /// Joins operands from left to right, each by `operator`, or by `inverse` if the operand's flag
+    /// is set.
     fn chain<'a>(
         &self,
         builder: &mut Builder,

@@ -28,7 +28,8 @@ pub struct Lifting {
     pub which: LiftCriterion,
     /// The first point of the orbit along which lifts are compared, by default the one in the text.
     pub start: Option<Vec<Rational>>,
-    /// The names of the coordinates of `start`; if empty, these are in the order of the variables.
+    /// The names of the coordinates of `start`. If empty, the coordinates are in the order of the
+    /// variables.
     pub names: Vec<String>,
     /// Values of parameters at which lifts are compared, for parameters without a given value.
     pub near: Vec<(String, Rational)>,
@@ -134,7 +135,7 @@ impl Lifted {
         self.parameters.iter().map(|place| place.map_or(f64::NAN, |place| values[place])).collect()
     }
 
-    /// Extends a point of the original variables to all variables; NaN for undefined values.
+    /// Extends a point of the original variables to all variables. Undefined values become NaN.
     fn embed(&self, at: &[f64], values: &[f64], time: f64) -> Vec<f64> {
         let own = self.lift_parameters(values);
         let time = self.lift.has_time.then_some(time);
@@ -144,7 +145,8 @@ impl Lifted {
     }
 }
 
-/// Returns a text with the claims and their rational constants, and the names that it defines.
+/// Returns a text with the claims and their rational constants, and the names that the text
+/// defines.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();

@@ -20,13 +20,15 @@ pub struct LiftedStep<'a, S: Step> {
     projection: Option<Projection<'a, S::Scalar>>,
 }
 
-/// A step with projection onto the relations of a lift; returns `false` without convergence.
+/// A step with projection onto the relations of a lift; returns `false` if the projection does not
+/// converge.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
 /// The reason why a point of a lifted field has no successor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiftEnds {
-    /// The new variable with this index would become negative, but is positive by definition.
+    /// The next step makes the new variable with this index negative, although it is positive by
+    /// definition.
     Negative(usize),
     /// Symmetric projection does not converge.
     NotReembedded,
@@ -75,7 +77,7 @@ impl Study {
     }
 
     /// Warns if the lift was chosen without an orbit, and an error of its relations grows more than
-    /// 100-fold along the orbit of this start until t = 100. Computes this orbit.
+    /// 100-fold until t = 100 along the orbit that starts at `at`. Computes this orbit.
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
@@ -146,7 +148,8 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
                 self.negative(x).is_none()
             }
             Some(project) => {
-                // Only the first step starts on the relations, so only its result is checked.
+                // The projection tries several steps. Only the first starts on the relations, so
+                // only its result is checked.
                 let (mut is_first, mut has_signs) = (true, true);
                 let is_there = project(x, &mut |point| {
                     step(point);

@@ -9,7 +9,7 @@ use serde_path_to_error::Segment;
 /// A mistake in a question or a subject.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Misread {
-    /// The path to the mistake: names, and indices of lists from 0.
+    /// The names, and the indices of lists counted from 0, that lead to the mistake.
     pub path: Vec<String>,
     /// A sentence that describes the mistake.
     pub why: String,

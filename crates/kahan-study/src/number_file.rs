@@ -343,12 +343,10 @@ mod tests {
             Err("line 3 has 3 numbers, and those before it 2".to_owned())
         );
         assert_eq!(table("a,b\n1,2,3\n"), Err("line 2 has 3 numbers, and above it are 2 names".to_owned()));
-        // Spreadsheets write a byte order mark, quotes and Windows line breaks.
         assert_eq!(table("\u{feff}\"a\",b\r\n\r\n1,\"2\"\r\n"), numbers(Some(&["a", "b"]), &[1.0, 2.0]));
         for text in ["1\r\n\r\n \r\nx\r\n", "1\n\n \nx"] {
             assert_eq!(table(text), Err("`x` in line 4 is no number".to_owned()), "{text:?}");
         }
-        // NumPy writes names and comments after `#`.
         for text in [
             "# a,b\n1,2",
             "#a, b\n1,2",

@@ -193,7 +193,8 @@ impl Range {
         [0, self.count() - 1].map(|index| self.value(index))
     }
 
-    /// Returns the start of the first cell and the end of the last cell around the values.
+    /// Returns the start of the first cell and the end of the last cell. Each value is the midpoint
+    /// of a cell.
     #[must_use]
     pub fn edges(&self) -> [Rational; 2] {
         let ([first, last], half) = (self.ends(), half(&self.step()));

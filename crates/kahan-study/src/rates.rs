@@ -16,10 +16,12 @@ const MOST_OF_MANY: u64 = 4;
 /// Above this number of variables, the matrix f′ at one point costs more than a row of a table.
 const MANY_VARIABLES: usize = 32;
 
-/// The value of |2ελ| above which a component is not resolved.
+/// If λ is the rate at which a component changes, steps with |2ελ| above this bound do not resolve
+/// it.
 const UNRESOLVED_RATE: f64 = 2.0;
 
-/// The numbers of multiplications by f′ before and during the measurement of growth.
+/// Growth is measured over 32 multiplications by f′, after 16 multiplications that are not
+/// measured.
 const PRODUCT_COUNTS: [u32; 2] = [16, 32];
 
 /// The rates of a field at points of an orbit.

@@ -75,7 +75,8 @@ impl Study {
             // Without a lift, `rate` is a norm that exceeds the frequency, so ε may be larger.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
-            // The second trial uses the rates along the first orbit; lifted fields get two more.
+            // The second trial uses the rates along the first orbit. Lifted fields get up to four
+            // trials.
             for look in 0..4 {
                 if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
                     break;
@@ -206,7 +207,7 @@ struct TrialOrbit {
 impl TrialOrbit {
     fn of(way: &mut StepsAndRates<'_>, eps: Rational, start: &[Rational], length: f64) -> Self {
         let mut x = floats(start);
-        // New variables have other scales, so only original variables are compared.
+        // The scales of new variables may differ, so only original variables are compared.
         let original = way.lift.as_ref().map_or(x.len(), |(lift, _)| lift.states.len());
         let size = x[..original].iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         let size = if size > 0.0 { size } else { length };

@@ -143,7 +143,7 @@ impl Study {
         self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
     }
 
-    /// Returns the random seed with which the macro would prove the claims.
+    /// Returns the random seed with which the macro proves the claims of this field.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
         self.read.text.seed()

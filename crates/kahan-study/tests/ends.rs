@@ -70,7 +70,6 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
             assert_eq!((observed.end, observed.steps), (end, end.steps(steps)), "{text}");
             assert_eq!(json!(observed)["ended"], end.name());
         }
-        // Observes the orbit singly, in a table, and with the last point as the only observable.
         for of in [vec![Observable::Last], vec![Observable::Last, Observable::Sali]] {
             for (count, transient) in [(1, 0), (3, 0), (1, 7), (3, 7), (3, steps - 1)] {
                 let asked = Observe { observe: of.clone(), ..late(transient) };
@@ -101,7 +100,6 @@ fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     assert_eq!(found[0].end, End::Range(0));
     assert!(found[0].report.iter().all(|number| number.is_nan()), "{found:?}");
     assert!(found[1].end == End::Complete && found[1].report.iter().all(|number| number.is_finite()));
-    // Without a step, indicators are NaN, too.
     let pole = Subject::text("xdot = x^2;").study(&Systems).expect("a field");
     let observed =
         Observe::new(number("1/2"), vec![number("1")], 9).ask(&pole, &Unwatched).expect("observations");
@@ -162,7 +160,6 @@ fn a_transient_is_not_observed() {
     }
 }
 
-/// After convergence, the first exponents alone agree with the complete spectrum.
 #[test]
 fn a_spectrum_may_have_its_first_exponents_alone() {
     let text = "xdot = 10*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;";

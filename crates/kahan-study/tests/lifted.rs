@@ -108,7 +108,6 @@ fn relations_have_errors_along_an_orbit() {
         let start = rational(&[(1, 1), (0, 1)]);
         study.relation_errors(&start, &Rational::new(eps.0, eps.1), steps, 8).expect("an orbit")
     };
-    // The errors are of order 2 in the step, and do not grow.
     let (coarse, fine) = (errors((1, 20), 800), errors((1, 40), 1600));
     assert_eq!((coarse.errors.len(), coarse.steps), (3, 800));
     for (coarse, fine) in coarse.errors.iter().zip(&fine.errors) {

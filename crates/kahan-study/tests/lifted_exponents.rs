@@ -70,7 +70,6 @@ const FITZHUGH_NAGUMO: Case = Case {
 /// Computes exponents by the classical Runge–Kutta method, in descending order.
 fn reference(case: &Case, step: f64, steps: usize) -> Vec<f64> {
     let n = case.at.len();
-    // The state holds the point, followed by the vectors.
     let mut all = vec![0.0; n * (n + 1)];
     for (i, (above, below)) in case.at.iter().enumerate() {
         all[i] = *above as f64 / *below as f64;
@@ -176,7 +175,6 @@ fn exponents_of_motion_that_is_attracted() {
     }
 }
 
-/// On regular orbits of a conservative system, tangent vectors grow only linearly.
 #[test]
 fn indicators_of_regular_motion_are_small() {
     let found = observed(&PENDULUM, Some(LiftCriterion::Automatic), (1, 40), 200_000);

@@ -50,7 +50,6 @@ fn every_question_about_orbits_projects_the_same_steps() {
             Observe { order, observe: of, reembed: true, ..Observe::new(eps.clone(), at.clone(), 100) };
         let seen = observe.ask(&study, &Unwatched).expect("observations");
         assert_eq!(seen.of(Observable::Last), Some(&ObservedValue::Point(expected.clone())));
-        // The chart has a second orbit, which starts at x = 1 like the orbit above.
         let axis = AxisOver::from(Axis { name: "x".to_owned(), range: Range::read("1/2:1:2").unwrap() });
         let mut table = Table::default();
         let over = Question::Over(Over::new(Question::Observe(observe), vec![axis]));
@@ -71,7 +70,6 @@ fn every_question_about_orbits_projects_the_same_steps() {
     assert_eq!(found.points[0].last(), Some(&expected[0]));
 }
 
-/// On the relations, the crossings v = 0 deviate from the pendulum's energy level by O(ε²).
 #[test]
 fn sections_refine_crossings_on_projected_steps() {
     let study = lifted(PENDULUM);
@@ -154,7 +152,6 @@ fn orbits_end_where_no_step_leads_back() {
     assert!(found.orbit().end == End::Reembed(steps) && found.orbit().why.is_some());
 }
 
-/// The solution h = (1 − t/2)² ends at t = 2, where the square root of h would become negative.
 #[test]
 fn torricellis_law_ends_where_the_water_does() {
     let study = lifted(TORRICELLI);
@@ -186,7 +183,6 @@ fn torricellis_law_ends_where_the_water_does() {
         let section = Section { reembed, ..Section::new(eps, at, 500, "h - 1/2") };
         let section =
             Section { direction: kahan_study::Direction::Both, ..section }.ask(&study, &Unwatched).unwrap();
-        // The level h falls through 1/2 once, and does not rise again.
         assert_eq!((section.orbit().end, section.count()), (end, 1));
     }
 }
@@ -203,13 +199,11 @@ fn orbits_side_by_side_end_alone() {
         let found = over.ask(&study, &Unwatched).expect("a table");
         let ended = serde_json::to_value(&found).unwrap();
         let text = ended.to_string();
-        // sqrt(h) − 80/64 is negative only for the start h = 1.
         assert_eq!(text.matches("\"range\"").count(), 1, "{text}");
         assert_eq!(text.matches("\"complete\"").count(), 3, "{text}");
     }
 }
 
-/// Odd roots, even powers, and sums that may vanish end no orbit.
 #[test]
 fn other_variables_may_change_their_signs() {
     for (text, at) in [

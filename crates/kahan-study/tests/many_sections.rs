@@ -33,7 +33,6 @@ fn through(name: &str, range: &str) -> Axis {
     Axis { name: name.to_owned(), range: Range::read(range).expect("a range") }
 }
 
-/// A watch that only sets the number of threads.
 struct Threads(usize);
 
 impl Watch for Threads {
@@ -116,7 +115,6 @@ fn tables_do_not_depend_on_threads() {
     assert_eq!(tables[0].1[49].values, [6.0]);
 }
 
-/// Each first point has its own parameter value, which is not combined with other first points.
 #[test]
 fn parameters_beside_starts() {
     let study = rossler();
@@ -163,7 +161,7 @@ fn times_of_crossings_have_the_order_of_the_method() {
     }
 }
 
-/// Over c, Rössler's maxima have one value before the first period doubling, and two after.
+/// Rössler's maxima take one value for c below the first period doubling, and two values above it.
 #[test]
 fn a_diagram_shows_periods_that_double() {
     let study = rossler();

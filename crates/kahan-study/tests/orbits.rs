@@ -46,7 +46,6 @@ fn doubles(table: &Table, column: usize) -> &[f64] {
     list
 }
 
-/// Lists orbits in each scalar, with each compatible method, with and without projective steps.
 fn every_sort(steps: u64) -> Vec<Orbit> {
     let mut sorts = Vec::new();
     for scalar in ScalarKind::ALL {
@@ -144,7 +143,6 @@ impl Watch for Impatient {
     }
 }
 
-/// Rows after a transient are rows of the whole orbit.
 #[test]
 fn a_transient_is_not_shown() {
     for plain in every_sort(9) {
@@ -165,7 +163,6 @@ fn a_transient_is_not_shown() {
         let part = rows(&lv(), &late, 1..3);
         assert_eq!(cells(&part, 0), cells(&whole, 5), "{late:?}");
     }
-    // The orbit of x' = x^2 from 1 ends in its transient.
     let study = Subject::text("xdot = x^2;").study(&Systems).unwrap();
     let orbit = Orbit { transient: 20, ..Orbit::new(rational(1, 20), vec![rational(1, 1)], 5) };
     let found = orbit.ask(&study, &Unwatched).unwrap();
@@ -325,14 +322,13 @@ fn components_that_steps_do_not_resolve_are_noted() {
             answer(study, &Orbit { scalar, ..orbit }).ending.note
         })
     };
-    // |2ελ| is 20, 1.98 and 0.2. Exact orbits have long steps on purpose, and get no warning.
+    // Exact orbits have long steps on purpose, and get no warning.
     for (scalar, note) in ScalarKind::ALL.into_iter().zip(at(&decay, rational(1, 10))) {
         let is_noted = note.is_some_and(|note| note.contains("up to 20 for an eigenvalue"));
         assert_eq!(is_noted, scalar != ScalarKind::Exact, "{scalar:?}");
     }
     assert_eq!(at(&decay, rational(99, 10_000)), [const { None }; 4]);
     assert_eq!(at(&oscillator, rational(1, 10)), [const { None }; 4]);
-    // Steps this long give the oscillation a wrong phase.
     assert!(at(&oscillator, rational(3, 2))[1..].iter().all(Option::is_some));
     let noted = Orbit::new(rational(1, 10), vec![Rational::zero(), Rational::one()], 3);
     assert!(json!(answer(&decay, &noted))["note"].is_string());

@@ -148,7 +148,6 @@ kahan! {
     zdot = 30000000*y^2;
 }
 
-/// For a moment ‖f′‖ is 5·10⁶. Steps that resolve this rate would number 2·10⁷ over the whole time.
 #[test]
 fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
     for allowed in [1e-5, 1e-8, 1e-14] {
@@ -163,7 +162,6 @@ fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
     }
 }
 
-/// Steps that are too long for a fast component have errors as large as that component.
 #[test]
 fn steps_that_are_too_long_are_not_taken_for_roundings() {
     let reference = reference(&Kinetics, "", &[], &["1", "0", "0"], 0.125, 1e-9).expect("a reference");

@@ -92,8 +92,8 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
     };
     let (mut low, mut high) = (0.0, 1.0);
     for level in 0..4 {
-        // With each refinement, changes of a smooth function fall to 1/128, this bound only to
-        // 1/64.
+        // With each refinement, the changes of a smooth function fall by a factor of 128, and this
+        // bound by a factor of 64.
         let most = size / 8.0 / 64_f64.powi(level);
         let part = |k: usize| low + (high - low) * k as f64 / SAMPLES as f64;
         let points = (0..=SAMPLES).map(|k| match part(k) {

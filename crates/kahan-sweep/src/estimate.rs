@@ -10,7 +10,7 @@ use crate::plan::Plan;
 #[derive(Clone, Debug)]
 pub(crate) struct Estimate<'a> {
     plan: &'a Plan,
-    /// The size of the merged file in bytes. The parts need this space again.
+    /// The size of the merged file in bytes. The parts need about as much space in addition.
     bytes: f64,
     core_seconds: f64,
     cores: usize,

@@ -155,7 +155,7 @@ mod tests {
         assert_eq!(found(&grid_engine), None);
     }
 
-    /// Tests that processes, which the tasks of an array start, cover each shard once.
+    /// Tests that the processes that array tasks start compute each shard once.
     #[test]
     fn ranks_within_tasks_are_shards_of_their_own() {
         let mut shards = Vec::new();

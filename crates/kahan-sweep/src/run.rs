@@ -165,7 +165,8 @@ struct PartWork {
 }
 
 impl PartWork {
-    /// Adds rows, and updates the journal when it is due. Returns the first of successive errors.
+    /// Adds rows, and updates the journal when it is due. Of several errors in a row, returns only
+    /// the first.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;

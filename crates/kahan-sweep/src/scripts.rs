@@ -35,7 +35,7 @@ fn quoted(path: &Path) -> String {
     if !text.is_empty() && text.chars().all(is_plain) {
         text.into_owned()
     } else {
-        // A newline in the path would end the comment that contains the path.
+        // A newline in the path ends the comment that contains the path, so newlines are escaped.
         format!("'{}'", text.replace('\'', r"'\''").replace('\n', r"'$'\n''"))
     }
 }

@@ -76,7 +76,7 @@ pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) ->
     )
 }
 
-/// Counts Newton's dots and removes them: `ẋ` is `x` with one dot. Returns `None` without dots.
+/// Counts and removes Newton's dots: `ẋ` is `x` with one dot. Returns `None` if there are none.
 ///
 /// ```
 /// use kahan_syntax::spelling::without_dots;

@@ -106,7 +106,6 @@ fn texts_of_other_tools_are_read() {
         ("init x = 1, a = -1e-3\nx' = -a*x", "a=-1/1000 xdot = -a*x; x=1"),
     ] {
         assert_eq!(reading(text), expected, "{text}");
-        // The printed text has the tokens of the original.
         let first = read(text);
         let again = read(&first.canonical());
         let kinds =
@@ -302,7 +301,6 @@ fn one_field_in_ten_manners_is_one_field() {
         assert_eq!(mistakes(&original), [], "{strict}");
         for manner in 0..10 {
             let text = format!("{before}\n{}", written(manner, &equations));
-            // Text after `done` is ignored.
             let text = if manner == 9 && !behind.trim().is_empty() {
                 text.replace("\ndone", "\n") + &behind
             } else {

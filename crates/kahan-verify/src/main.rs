@@ -1,4 +1,4 @@
-//! Proves every formula of the paper and prints the verdicts of `kahan-paper`.
+//! Checks every formula of the paper and prints the verdicts of `kahan-paper`.
 //!
 //! The exit status is 1 if a claim fails, and 2 for wrong arguments. New users build this program
 //! first, so it depends on little else.
@@ -81,7 +81,7 @@ fn print(text: &str) {
     let _ = stdout().write_all(text.as_bytes());
 }
 
-/// Returns a message with the call of `kahan` for arguments that this program refuses.
+/// Returns a message that names the `kahan` command to use for these arguments.
 fn elsewhere(arguments: &[String]) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=,:+@%^".contains(c);
     let quoted = arguments.iter().map(|word| {

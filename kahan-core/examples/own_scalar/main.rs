@@ -21,7 +21,7 @@ fn time(fraction: f64) -> nalgebra::Complex<f64> {
     nalgebra::Complex::new(1.5 + 1.5 * cosine, 1.5 * sine)
 }
 
-/// Prints and returns x at the end of the path, and tan 3.
+/// Prints and returns x at the end of the path, and the exact value tan 3.
 pub(crate) fn run() -> [nalgebra::Complex<f64>; 2] {
     let mut x = vector![Complex(0.0.into())];
     for step in 0..1_000 {

@@ -31,7 +31,7 @@ pub(crate) struct Palindrome<P> {
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// Creates a palindrome of 2·`len` − 1 stages. Stage k is `step(k)`, and `len` is 1 to 9.
+    /// Creates a symmetric composition. Its stages k < `len` are `step(k)`, and `len` is 1 to 9.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
@@ -104,7 +104,7 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // The method `part` takes any ε; therefore the first stage computes all stages.
+        // The method `part` takes ε as an argument; therefore the first stage computes all stages.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))
@@ -138,7 +138,8 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Composes this map at its ε. A composed step still advances the time by 2ε.
+    /// Returns the map whose step is this composition of steps of the Kahan map. A composed step
+    /// advances the time by 2ε, as a plain step does.
     ///
     /// ```
     /// use kahan_core::prelude::*;

@@ -63,9 +63,9 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
-    /// Replaces the last column by the solution, and returns the growth: the maximum over all
-    /// pivots of the smaller of two numbers. The numbers are the largest factor below the pivot,
-    /// and the largest quotient of the pivot's row by the pivot. `sizes` has two numbers per
+    /// Replaces the last column by the solution, and returns the growth. For each pivot, take the
+    /// smaller of two numbers: the largest factor below the pivot, and the largest quotient of its
+    /// row by it. The growth is the maximum over all pivots. `sizes` is memory for two numbers per
     /// variable.
     #[inline(always)]
     fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {

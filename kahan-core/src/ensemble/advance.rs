@@ -26,8 +26,8 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
         None
     }
 
-    /// Advances columns of equal length; `first` is the index of their first group. The error is
-    /// the ε of a map that met a pole, over a scalar without a reciprocal of zero.
+    /// Advances columns of equal length; `first` is the index of their first group. If a map meets
+    /// a pole and the scalar has no reciprocal of zero, the error is the ε of this map.
     #[doc(hidden)]
     fn advance(
         &self,
@@ -147,8 +147,9 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Splits the columns over threads if this saves time, otherwise calls `work` once. Each call gets
-/// the index of its first group. `join` combines the results of neighbouring ranges in order.
+/// Splits the columns over threads if this saves time, otherwise calls `work` once. `work` also
+/// gets the index of the first group of its columns. `join` combines the results of neighbouring
+/// ranges in order.
 pub(crate) fn divide<T, R, const N: usize>(
     first: usize,
     columns: ColumnSlices<'_, T, N>,

@@ -20,8 +20,8 @@ pub struct Axis<T> {
 }
 
 impl<T: Scalar + Copy> Axis<T> {
-    /// Returns value k of an axis with m + 1 values, (start·(m − k) + end·k)/m. Decimal fractions
-    /// between integers are rounded once.
+    /// Returns value k of an axis with m + 1 values, (start·(m − k) + end·k)/m. If both ends are
+    /// small integers, only the division rounds.
     fn value(&self, k: usize) -> T {
         let last = self.count - 1;
         match k {

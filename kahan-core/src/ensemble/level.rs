@@ -9,9 +9,9 @@
 pub enum Level {
     /// The instructions for which the program was compiled. On x86-64 and 64-bit Arm they advance
     /// two `f64` or four `f32` at a time, elsewhere one. The bits are those of
-    /// [`KahanAt::step`](crate::KahanAt::step), unless that step divides by the time step or more
-    /// than once. Lanes always use the form with a single division, because the divider limits
-    /// throughput.
+    /// [`KahanAt::step`](crate::KahanAt::step), unless that step divides by the time step, or
+    /// divides more than once. Lanes always use the form with a single division, because the
+    /// divider limits throughput.
     Baseline,
     /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.
     Avx2,

@@ -1,8 +1,8 @@
 //! Ensembles: many trajectories advanced together, by one map or by one map per trajectory.
 //!
 //! The speed comes from a column per variable, from tiles that stay in the first-level cache, from
-//! SIMD lanes, and with `parallel` from threads. Poles are not detected, and give infinities or
-//! NaNs.
+//! SIMD lanes, and with `parallel` from threads. Over floats, poles are not detected, and give
+//! infinities or NaNs.
 
 #[cfg(target_arch = "aarch64")]
 mod aarch64;
@@ -42,11 +42,11 @@ pub use scalar::EnsembleScalar;
 /// advances its points.
 ///
 /// # Reproducibility
-/// A trajectory's bits depend only on its initial point, the map, ε and the [`Level`].
-/// [`Level::Avx2`], [`Level::Avx512`] and [`Level::Neon`] fuse multiply-adds and give equal bits.
-/// [`Level::Baseline`] and [`KahanAt::step`](crate::KahanAt::step) fuse only if the program is
-/// compiled for fused instructions. An ensemble runs on the highest instruction set of the
-/// processor, unless [`at_level`](Self::at_level) selects another.
+/// A trajectory's bits depend only on its initial point, the map, ε, the [`Level`] and the
+/// [`Reciprocal`]. [`Level::Avx2`], [`Level::Avx512`] and [`Level::Neon`] fuse multiply-adds and
+/// give equal bits. [`Level::Baseline`] and [`KahanAt::step`](crate::KahanAt::step) fuse
+/// only if the program is compiled for fused instructions. An ensemble runs on the highest
+/// instruction set of the processor, unless [`at_level`](Self::at_level) selects another.
 ///
 /// # Cost
 /// The memory is N numbers per point. Trajectories are independent. Therefore the busiest execution

@@ -56,7 +56,7 @@ impl CouplingRow {
         self.own as usize..self.end as usize
     }
 
-    /// Returns the entries to the left of the diagonal, including the entries of earlier blocks.
+    /// Returns the range of the entries to the left of the diagonal, in all blocks.
     fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }

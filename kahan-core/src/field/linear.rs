@@ -57,8 +57,8 @@ pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
 pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
-        // All entries are tested, because beside a NaN a zero pivot does not prove that A is
-        // singular.
+        // If A contains a NaN, a zero pivot does not prove that A is singular. Therefore all
+        // entries of the column are tested.
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }
@@ -121,7 +121,8 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
         let toeplitz = toeplitz_column(c, m);
-        // The new coefficient k is t_k + old_k + Σ t_{k−j}·old_j, summed over 1 ≤ j < k.
+        // With the Toeplitz column t, coefficient k becomes
+        // t_k + old_k + Σ t_{k−j}·old_j, 1 ≤ j < k.
         let old = coefficients;
         coefficients = from_fn(|k| {
             if k > m {

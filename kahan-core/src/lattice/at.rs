@@ -18,7 +18,8 @@ use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Sizes};
 
 /// The map of a family at a fixed ε (half the time step) and a fixed number of sites.
 ///
-/// [`LatticeMap::at`](super::LatticeMap::at) creates this map. Steps do not allocate.
+/// [`LatticeMap::at`](super::LatticeMap::at) creates this map. Steps over floats do
+/// not allocate, except concurrent calls of [`advance`](Self::advance).
 pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,
@@ -133,7 +134,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = PromiseCheck::new(&map, &eps, sites * sizes.block);
-        // Even if a constant overflows, `try_step` works, because it uses wider numbers.
+        // Constants may overflow T if wider numbers can hold them, because `try_step` then works.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }

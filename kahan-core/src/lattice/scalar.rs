@@ -28,12 +28,12 @@ pub trait LatticeScalar: Pivot + ChainArithmetic + Send + Sync {
 
 /// For each scalar of chains, the number types that solve a step and bound its error.
 pub(super) trait ChainArithmetic: Sized {
-    /// The faster numbers with error bounds, by which a residual is computed first.
+    /// The numbers with error bounds that compute a residual first, faster than `BoundedWide`.
     type BoundedWorking: BoundedScalar<Self>;
 
     type Parts: PartSolver<Self>;
 
-    /// The widest numbers with error bounds, used if the faster ones fail. They never underflow.
+    /// The numbers used if the bounds of `BoundedWorking` are too large. They never underflow.
     type BoundedWide: BoundedScalar<Self>;
 
     const UNIT: f64;

@@ -40,7 +40,7 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Gathers the neighbourhood of site i, with `convert` for the states and `given` for
+    /// Gathers the neighbourhood of site i. `convert` converts the states, and `given` the
     /// parameters.
     pub(super) fn gather<M, T, V>(
         &mut self,

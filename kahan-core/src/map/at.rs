@@ -1,6 +1,6 @@
 //! A map prepared at a fixed ε.
 //!
-//! Steps take only a state, and neither allocate nor dispatch.
+//! Steps take only a state. Steps over floats neither allocate nor dispatch.
 
 use core::fmt;
 

@@ -93,7 +93,8 @@ pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: u
 }
 
 impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Adds estimates of the error relative to the flow that starts at the next point.
+    /// Adds an estimate of each point's error, its distance from the flow that starts at the next
+    /// point that this orbit yields.
     ///
     /// With the [local error](KahanAt::local_error) d and the map's Jacobian φ′, the estimates eₙ
     /// satisfy

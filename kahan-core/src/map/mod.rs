@@ -151,7 +151,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// error is about that of elimination with pivoting. This holds up to ‖εf′(x)‖∞ = 1000, or up
     /// to the limit in the documentation of the generated type.
     ///
-    /// Some fields have a faster form that divides by ε. This form is used for |ε| from 2⁻⁶⁴ to
+    /// Some fields have a faster form that divides by ε. This form is used for |ε| from 2⁻⁸⁴ to
     /// 2⁶⁴, in `f32` from 2⁻¹⁶ to 2¹⁶. A map that is too large for a closed form uses sparse
     /// elimination. If a pivot is too small, the step uses partial pivoting on the whole matrix.
     ///

@@ -1,6 +1,6 @@
 //! Bursts: the points of a group of trajectories at several consecutive steps.
 //!
-//! A group has as many trajectories as the widest register has lanes.
+//! A group has as many trajectories as the widest register has lanes of `f32`.
 
 use crate::Level;
 use crate::ensemble::columns::{GROUP, Group};

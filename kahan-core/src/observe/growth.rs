@@ -20,7 +20,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// Returns the squared length of a vector. `squared` is that of the vector times 2^−`exponent`.
+    /// Returns |v|² for a vector v, where `squared` is the squared length of 2^−`exponent`·v.
     #[inline(always)]
     pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
         Self { mantissa: squared, exponent: 2 * exponent }
@@ -41,7 +41,7 @@ impl Size {
     /// Returns the natural logarithm of the magnitude.
     pub(super) fn ln(self) -> f64 {
         let (mantissa, exponent) = libm::frexp(self.mantissa.abs());
-        // Near 1 the exponent must be 0, because two logarithms would cancel.
+        // Near 1 the exponent must be 0, because otherwise two logarithms would cancel.
         let (mantissa, exponent) =
             if mantissa < FRAC_1_SQRT_2 { (2.0 * mantissa, exponent - 1) } else { (mantissa, exponent) };
         libm::log(mantissa) + (self.exponent + i64::from(exponent)) as f64 * LN_2
@@ -58,7 +58,7 @@ impl PartialOrd for Size {
     }
 }
 
-/// The exponent of the scaling factor. One step of a scaled vector stays in the range of `f32`.
+/// The binary exponent of the scaling factor. Scaled vectors stay in the range of `f32` for a step.
 const SCALING_EXPONENT: i64 = 32;
 
 /// Scales a finite nonzero vector by powers of two until its squared length lies between 2⁻⁶⁴ and

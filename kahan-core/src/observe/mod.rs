@@ -1,6 +1,6 @@
 //! Observers, which answer questions about an orbit while it runs, without storing it.
 //!
-//! Observers store only what their reports need, and no step allocates.
+//! Observers store only what their reports need, and allocate nothing while they observe a point.
 //!
 //! ```
 //! use kahan_core::observe::{Drift, Extrema, Lyapunov};
@@ -139,7 +139,7 @@ pub use visit::Visit;
 /// ```
 ///
 /// Tuples of up to eight observers, arrays and (with `std`) vectors of observers are observers,
-/// too, and report all answers. The observer `()` observes nothing.
+/// too. Their report consists of the reports of all members. The observer `()` observes nothing.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not observe orbits of numbers of the type `{T}`",
     label = "not an observer of such orbits",

@@ -284,7 +284,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // Only the point is copied, because a fraction of a step ignores the other numbers.
+        // Only the point is copied, because a fraction of a step ignores the rest of a state.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 

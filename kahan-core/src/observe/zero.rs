@@ -13,8 +13,9 @@ pub(super) struct ZeroBracket<T> {
 
 /// Returns u^⅓ for the unit roundoff u, which is 2⁻¹⁷ for `f64` and 2⁻⁸ for `f32`.
 ///
-/// Beside a zero, values are at most this fraction of the larger end value, unless a step moves the
-/// point by less than u^⅔ of its size. At a jump or a pole the values remain large.
+/// Beside a zero, a function is at most this fraction of its larger magnitude at the ends of the
+/// step, unless the step moves the point by less than u^⅔ of its size. Beside a jump or a pole, the
+/// function is larger.
 pub(super) fn small<T: FloatScalar>() -> f64 {
     libm::exp2(-f64::from(T::SHORT_BITS))
 }

@@ -1,7 +1,7 @@
 //! Dual numbers v + g·d with d² = 0: a value v with its gradient g in N directions.
 //!
-//! A step over dual numbers gives its value and exact derivatives. Dual numbers have no order and
-//! no roots. Operators are always inlined in optimised builds, where steps over lanes stay in
+//! A step over dual numbers gives its value and its derivatives. Dual numbers have no order and no
+//! roots. Builds without debug assertions inline all operators, so that steps over lanes stay in
 //! registers.
 
 use core::array::from_fn;

@@ -1,11 +1,12 @@
 //! `f32` and `f64` as scalars.
 //!
 //! Every number has a reciprocal, which is ±∞ at ±0. Results at poles are therefore infinite or
-//! NaN. Multiply-adds are fused only in programs compiled for x86-64 with the target feature `fma`.
+//! NaN. Multiply-adds are fused only with the feature `std`, in programs compiled for x86 with the
+//! target feature `fma`.
 
 use super::{Constant, Scalar};
 
-/// Computes a·b + c, rounded once. The method `mul_add` requires the standard library.
+/// Computes a·b + c, rounded once, by `mul_add`, which requires the standard library.
 #[cfg(all(feature = "std", target_feature = "fma"))]
 macro_rules! fused_or_not {
     ($a:expr, $b:expr, $c:expr) => {

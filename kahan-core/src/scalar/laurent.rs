@@ -47,7 +47,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Returns the lowest power with an unknown coefficient, or `None` for a number.
+    /// Returns the lowest power with an unknown coefficient, or `None` for an exact number.
     fn end(&self) -> Option<i64> {
         match self {
             Number(_) => None,
@@ -171,7 +171,7 @@ impl<T: Scalar> Scalar for Laurent<T> {
         Some(self / divisor)
     }
 
-    /// Prefers the lower order, because divisions by such a series lose fewer terms.
+    /// Prefers the series of lower order, because a division by it loses fewer terms.
     fn is_better_pivot(&self, than: &Self) -> bool {
         match (self.order(), than.order()) {
             (Some(own), Some(other)) => own < other,

@@ -1,8 +1,8 @@
 //! The numbers with which a Kahan map computes.
 //!
-//! A [`Scalar`] has + − × ÷ and contains the rationals. The same code then runs over floats, exact
-//! rationals, dual numbers and SIMD lanes. The methods share no name with num-traits; therefore
-//! both traits can be in scope.
+//! A [`Scalar`] has + − × ÷, and represents every rational exactly or rounded. One code then runs
+//! over floats, exact rationals, dual numbers and SIMD lanes. The methods share no name with
+//! num-traits; therefore both traits can be in scope.
 
 pub(crate) mod bounded;
 mod constant;

@@ -10,8 +10,8 @@ use super::bounded::{Bounded, PackedDouble, PackedSingle};
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// Steps in `f64` with error bounds may divide by ε if |ε| is from 2⁻⁶⁴ to 2⁶⁴.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
-/// Plain `f64` steps may divide by ε if |ε| is from 2⁻⁸⁴ to 2⁶⁴. The lower limit is small, so that
-/// a fraction of a step usually has the form of the whole step.
+/// Plain `f64` steps may divide by ε if |ε| is from 2⁻⁸⁴ to 2⁶⁴. The lower limit is so small that a
+/// fraction of a step usually divides by ε if the whole step does.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 #[inline(always)]

@@ -113,7 +113,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after `steps` steps, using `workspace` as scratch memory.
     ///
-    /// A call allocates at most once, a step never.
+    /// A call may allocate a workspace. Steps over floats do not allocate.
     ///
     /// # Errors
     /// Returns [`Stopped`] at a pole of an exact scalar, and leaves the pole in `x`. Floats
@@ -196,7 +196,7 @@ pub(crate) fn check_length(found: usize, expected: usize) {
     assert!(found == expected, "a state of {found} numbers for a map of {expected}");
 }
 
-/// A state as a slice: a point, then other numbers such as compensations or tangent vectors.
+/// A state whose numbers form one slice: a point, then for example tangent vectors.
 pub trait StateVector<T>: Clone + fmt::Debug {
     /// The type of the point. For a `Vec` the point is the whole state.
     type Point: StateVector<T>;

@@ -7,8 +7,8 @@ use crate::scalar::tuning;
 
 use super::{PreparedStep, Quotients, StepCost, StraightStep};
 
-/// A step with two forms. One form divides by ε, for floats and an ε that is neither tiny nor huge;
-/// the other form is general.
+/// A step with two forms. One form divides by ε, and is used for floats if ε is neither tiny nor
+/// huge. The other form, `general`, suits every scalar and every ε.
 ///
 /// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, which saves a multiplication. The
 /// form that divides overflows sooner, and cannot run in lanes.
@@ -78,8 +78,8 @@ where
     }
 }
 
-/// Evaluates the general form for scalars that usually use the form that divides by ε. A call with
-/// copies lets a loop keep its state in registers.
+/// Evaluates the form that does not divide by ε, for scalars that usually use the other form. A
+/// call with copies lets a loop keep its state in registers.
 #[cold]
 #[inline(never)]
 fn out_of_line<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
@@ -88,7 +88,7 @@ where
     T: Scalar,
 {
     let quotients = general.quotients(&x)?;
-    // The increment takes half as much memory as the quotients.
+    // Floats return the increment, because it takes half as much memory as the quotients.
     Some(if tuning::is_float::<T>() {
         Quotients::whole(quotients.increment().data.0[0].clone())
     } else {

@@ -5,7 +5,7 @@ use std::vec;
 use super::*;
 use crate::field::couplings::CouplingRow;
 
-/// The tables of an elimination in the order of the variables, for given positions of entries.
+/// The tables of [`Couplings`] for given positions of entries, in the order of the variables.
 struct Pattern {
     order: Vec<u32>,
     rows: Vec<CouplingRow>,
@@ -74,7 +74,6 @@ fn factors_are_those_of_rows<T: InLanes>(from: impl Fn(f64) -> T) {
                 let is_factored = couplings.factor(&mut expected, &mut vec![T::zero(); n]);
                 let workspace = &mut PanelWorkspace::default();
                 assert_eq!(supernodes.factor(&couplings, false, &mut found, workspace), is_factored);
-                // Equal numbers have equal bits here, because no factor is 0 by chance.
                 assert!(!is_factored || found == expected, "{n} variables, blocks of {block}");
                 refused += usize::from(!is_factored);
             }

@@ -52,7 +52,7 @@ fn exponential(letters: &Series, grade: u32) -> Series {
     sum
 }
 
-/// Returns the largest difference between composition and flow in the words up to this grade.
+/// Returns the largest difference of composition and flow in any coefficient up to this grade.
 fn residual(composition: Composition, grade: u32) -> Q {
     let mut composed: Series = [(Vec::new(), one())].into();
     for gamma in composition.coefficients() {

@@ -116,7 +116,7 @@ fn away_from_poles_points_have_the_bits_of_the_orbit() {
 
 #[test]
 fn near_a_pole_ten_bits_are_lost_and_very_near_none() {
-    // Exactly 1/x̃ = 1/x − 2ε. The product 2εx is rounded for ε = 0.3, but not for ε = 0.25.
+    // The exact map has 1/x̃ = 1/x − 2ε. The product 2εx is rounded for ε = 0.3, not for ε = 0.25.
     for (eps, pole) in [(0.25, 2.0), (0.3, 5.0 / 3.0)] {
         for exponent in [3, 6, 9, 12, 15, 30, 45] {
             let d = 2_f64.powi(-exponent);

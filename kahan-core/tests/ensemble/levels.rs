@@ -31,7 +31,7 @@ fn step_each<T: Scalar, M: KahanMap<T, N>, const N: usize>(
     points
 }
 
-/// Steps each point by the form of the step for lanes, if the map has this form.
+/// Steps each point with the step's form for lanes, if the map has one.
 fn step_each_as_lanes<T, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     mut points: Vec<SVector<T, N>>,
@@ -145,7 +145,6 @@ fn an_estimated_reciprocal_changes_avx_512_only_and_little() {
         divided.advance(&map, 20);
         estimated.advance(&map, 20);
         if level == Level::Avx512 {
-            // Each of twenty steps may round once more or less.
             let furthest = divided.points().zip(estimated.points()).map(|(a, b)| (a - b).amax());
             assert!(furthest.fold(0.0, f64::max) < 1e-14);
             assert!(divided != estimated, "the estimate is not used");

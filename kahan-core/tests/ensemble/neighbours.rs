@@ -67,7 +67,6 @@ fn the_number_of_threads_does_not_matter() {
         let expected: Vec<_> = one.points().collect();
         assert_same(&two, &expected);
         assert_same(&five, &expected);
-        // A single thread also divides the work into tasks.
         let mut in_turn = start.clone();
         for _ in 0..steps {
             in_turn.advance(&map, 1);

@@ -88,7 +88,6 @@ fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
         let (spectrum, mean) = map.orbit(start).observe(steps, observers);
         let sum: f64 = spectrum.iter().map(|exponent| exponent.value).sum();
         assert!((sum - mean).abs() < bound(eps), "{sum} {mean}");
-        // The determinants in closed form are compared, too.
         let points = map.orbit(start).take(steps as usize);
         let logarithms = points.map(|x| LORENZ.det_jacobian(&x, eps).abs().ln());
         let plain = logarithms.sum::<f64>() / (2.0 * eps * steps as f64);

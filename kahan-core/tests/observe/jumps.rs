@@ -213,7 +213,7 @@ fn units_do_not_matter() {
     }
 }
 
-/// The longer chain is stepped in parts.
+/// The longer chain is divided into parts.
 #[test]
 fn chains_cross_and_jump() {
     for sites in [3, 700] {

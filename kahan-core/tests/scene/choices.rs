@@ -10,7 +10,7 @@ use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 /// The largest allowed ratio of the chosen cost to the smallest possible cost.
 const RATIO: f64 = 3.0;
 
-/// Checks that the choice meets each tolerance, and that no setting of a third of the cost does.
+/// Checks that the choice meets each tolerance, and that settings of a third of its cost do not.
 fn check<M, const N: usize>(name: &str, map: M, x0: [f64; N], horizon: f64, steps: usize, tolerances: &[f64])
 where
     M: ExtendScalars<f64, N>,
@@ -30,8 +30,8 @@ where
         assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
 
         for scheme in Scheme::all() {
-            // Among the settings of a third of the cost, the dearest errs least. Fewer steps are
-            // tried, too, because a setting may be accurate by luck.
+            // Usually the largest number of steps is the most accurate. Smaller numbers are tried,
+            // too, because a setting may be accurate by luck.
             let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {
                 if steps < 1.0 {

@@ -1,5 +1,5 @@
 //! The Weierstrass equation x'' = 6 x^2 - a, solved by the elliptic function with g2 = 2 a. The
-//! flow is Hamiltonian: the field is `f = K grad H` with H at eps = 0 and `K = [[0, 1], [-1, 0]]`.
+//! flow is Hamiltonian: the field is `f = K grad(H/6)` with H at eps = 0, `K = [[0, 1], [-1, 0]]`.
 //! The map has the modified Hamiltonian H and the density 1/det A. Compositions of higher order
 //! preserve neither of them.
 

@@ -39,8 +39,7 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_zero() {
         return sum;
     }
-    // The angle is rotated step by step. Chebyshev's recurrence for sin jz would lose digits near z
-    // = 0.
+    // The angle is rotated step by step. Chebyshev's recurrence for sin jz loses digits near z = 0.
     let (mut s, mut c) = (T::zero(), T::one());
     let quarter = q.sqrt().sqrt();
     // The powers are q^(j²/4) for j = 0, 1, 2, …. The ratio of neighbours is q^((2j+1)/4).

@@ -25,7 +25,7 @@ fn every_claim_of_every_block_is_proved() {
     for entry in all() {
         let reading = reading(entry);
         assert_eq!(reading.name(), entry.type_name);
-        // Lorenz is a control without claims.
+        // Only the Lorenz system has no claims.
         assert_eq!(reading.claims.is_empty(), entry.command == "lorenz", "{}", entry.command);
     }
 }

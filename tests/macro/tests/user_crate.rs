@@ -8,7 +8,7 @@ use std::process::Command;
 use std::sync::Once;
 use std::{env, fs};
 
-/// The flags that trybuild passes to rustc. Other flags would recompile every dependency.
+/// The flags that trybuild passes to rustc. With other flags, cargo recompiles every dependency.
 const FLAGS: &str = r#"build.rustflags=["--cfg","trybuild","--verbose","-A","dead_code"]"#;
 
 fn folder() -> PathBuf {

@@ -27,7 +27,7 @@ type Accessor<M, R, const N: usize> = fn(&M, &SVector<Q, N>, Q) -> R;
 
 type Bracket<M, const N: usize> = (&'static str, Accessor<M, Option<SMatrix<Q, N, N>>, N>);
 
-/// A map with its accessors, whose types differ between maps.
+/// A map with functions that return its integrals, density and brackets.
 struct Accessors<M, const N: usize> {
     map: M,
     integrals: Accessor<M, Vector, N>,

@@ -17,7 +17,7 @@ use super::BackEnd;
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, product, q};
 use crate::expression::evaluate;
 
-/// A system as read by the front end, with derived objects.
+/// A system that the front end has read, and the formulas derived from it.
 #[derive(Debug)]
 pub struct Read {
     /// The system that was read.
@@ -33,7 +33,7 @@ struct Derived {
 }
 
 impl Read {
-    /// Wraps a system without deriving anything.
+    /// Wraps a system. Formulas are derived from it on first use.
     #[must_use]
     pub fn new(system: System) -> Self {
         Self { system, derived: OnceLock::new() }
@@ -48,7 +48,7 @@ impl Read {
     }
 }
 
-/// The interpreter at parameter values, with a cache of all results.
+/// A system at given parameter values. The interpreter evaluates it and caches all results.
 #[derive(Debug)]
 pub struct Interpreted {
     system: &'static System,
@@ -184,7 +184,7 @@ impl BackEnd for Interpreted {
         self.at(x, eps).det_jacobian.as_ref().map(Rational::to_big)
     }
 
-    /// Evaluates the expanded polynomials, or the definition if they have too many terms.
+    /// Evaluates the expanded polynomials, or adj(A)·b and det A if they have too many terms.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q) {
         let Some(map) = &self.derived.map else {
             let matrix = self.matrix(x, eps);

@@ -187,8 +187,8 @@ fn the_integral_of_lotka_volterra_at_eps_one_and_minus_one_is_the_oracle_s() {
     assert_eq!(compared, 2);
 }
 
-/// The claim of the catalog is Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u) with u = 1/(2εx), times a power of
-/// 2ε. Each unit of ξ − 1 gives a factor u, so the power is (2ε)^(1−ξ).
+/// The claim of the catalog times (2ε)^(1−ξ) is Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u) with u = 1/(2εx),
+/// because the quotient is about u^(ξ−1).
 #[test]
 fn the_claims_of_e7_at_integers_are_the_oracle_s() {
     let mut compared = 0;

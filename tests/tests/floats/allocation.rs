@@ -69,7 +69,7 @@ fn advancing_an_ensemble_allocates_nothing() {
     let points: Vec<SVector<f64, 3>> = (0..1000).map(|i| vector![0.5, 1.0, f64::from(i) * 1e-3]).collect();
     let mut ensemble = Ensemble::new(points);
     let (e3, top) = (E3.at(0.05), EulerTop { a1: 1.0, a2: -2.0, a3: 1.0 }.at(0.05));
-    // The first call queries the processor's instruction sets.
+    // The first call is not counted, since it queries the processor's instruction sets.
     ensemble.advance(&e3, 1);
     let counted = measure(|| {
         ensemble.advance(&e3, STEPS as u64);
@@ -118,7 +118,7 @@ fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
         let one = measure(|| drop(map.orbit(points[0]).observe(steps, spectrum)));
         [many.count_total, one.count_total]
     };
-    // The first call queries the processor's instruction sets.
+    // The first call is not compared, since it queries the processor's instruction sets.
     allocations(1);
     assert_eq!(allocations(10), allocations(1000));
 }

@@ -176,7 +176,7 @@ fn no_input_panics<T: Float>(seed: u64) {
     }
 }
 
-/// Runs with less stack than the usual 2 MiB of Rust's threads.
+/// Calls `run` on a thread whose stack is smaller than the usual 2 MiB.
 fn on_a_small_stack(run: fn()) {
     let thread = std::thread::Builder::new().stack_size(3 << 19).spawn(run).expect("a thread");
     thread.join().expect("no panic");

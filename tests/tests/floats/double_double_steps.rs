@@ -85,12 +85,11 @@ struct Worst {
     poles: usize,
     down_to_1e_9: f64,
     at_1e_12: f64,
-    /// The largest error of plain `f64` steps at the points.
     plain: f64,
 }
 
 impl Worst {
-    /// Takes steps near the pole at which the number with index i is `pole`. Removable poles are
+    /// Makes steps near the pole at which the number with index i is `pole`. Removable poles are
     /// skipped.
     fn look(
         &mut self,
@@ -154,7 +153,7 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
     }
 }
 
-/// Steps onto a coordinate plane, where a component is as small as the rounding errors.
+/// Tests steps to points near a coordinate plane, where a component is as small as the errors.
 #[test]
 fn a_component_that_cancels_is_exact_against_the_others() {
     /// The bound on an error, in u²·‖x̃‖/|det A| with u = 2⁻⁵³. The measured value is 1.6.

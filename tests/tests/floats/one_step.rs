@@ -45,7 +45,8 @@ fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     sums.collect()
 }
 
-/// A system with its map over doubles. `judge` is a map in double-double; `None` for exact steps.
+/// A system with its map over doubles. Steps are compared with steps of `judge` in double-double,
+/// or with exact steps if `judge` is `None`.
 struct Case {
     subject: Subject,
     map: Box<dyn Steps<f64>>,
@@ -92,7 +93,7 @@ impl Worst {
     }
 }
 
-/// Takes small steps of one system. Returns the largest error relative to its bound.
+/// Makes small steps of one system. Returns the largest error relative to its bound.
 fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
     let subject = &case.subject;
     let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));
@@ -114,7 +115,7 @@ fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
     worst
 }
 
-/// Takes steps from ordinary points. Returns the largest error in units of roundoff.
+/// Makes steps from ordinary points. Returns the largest error in units of roundoff.
 fn ordinary_steps(case: &Case, seed: u64, points: usize) -> Worst {
     let subject = &case.subject;
     let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));

@@ -92,8 +92,8 @@ where
             let mut state: Vec<A::Value> = x.iter().map(|entry| A::Value::from(*entry)).collect();
             let [by_step, ..] = every_way(map.as_ref(), &state, eps, STEPS);
             for point in by_step {
-                // Near a pole numbers overflow, and one order of operations may give NaN where
-                // another does not.
+                // Near a pole numbers overflow. Either order of operations may then give NaN, so
+                // the test stops.
                 let here = Point { state, parameters: parameters.clone(), eps };
                 let Some(next) = interpreter
                     .next(arithmetic, &here)

@@ -35,7 +35,7 @@ fn exact<T: ToPrimitive>(value: &T) -> BigRational {
     BigRational::from_f64(value.to_f64().expect("a float")).expect("finite")
 }
 
-/// Returns the largest number of entries in a row of A. The point has no accidental zeros.
+/// Returns the largest number of entries in a row of A, at a point where no entry is 0 by chance.
 fn widest_row<T: Judged, M: ExtendScalars<T, N>, const N: usize>(map: &M) -> usize {
     let x = SVector::from_fn(|i, _| BigRational::new((i * i + 3).into(), 7.into()));
     let matrix = map.extend_scalars(exact::<T>).matrix(&x, BigRational::new(1.into(), 11.into()));

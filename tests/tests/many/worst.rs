@@ -11,7 +11,8 @@ fn state(delta: f64) -> SVector<f64, 12> {
     x
 }
 
-/// The result must not lose digits, although elimination with a pivot of 2⁻⁴¹ would lose 40 bits.
+/// For δ = 2⁻⁴⁰ the first pivot is −2⁻⁴¹. Elimination with it loses 40 bits, but the result must
+/// not.
 #[test]
 fn a_pivot_near_zero_costs_no_digits() {
     let next = Ring.step(&state(0.0), 0.5);

@@ -198,7 +198,8 @@ fn main() {
                 &|x| sites(&|i| [open(x, 1, i), fput([i - 1, i, i + 1].map(|i| open(x, 0, i)))]),
                 &mut rng,
             ));
-            // Ill-conditioned steps, such as some at ε = 0.3, have fewer correct digits.
+            // The bound allows for ill-conditioned steps, such as some at ε = 0.3, which lose
+            // digits.
             assert!(w < 1e-9, "eps {eps}, {n} sites: {w:e}");
             if n % 20 == 1 {
                 println!("eps {eps}, {n} sites: largest difference {w:.1e}");

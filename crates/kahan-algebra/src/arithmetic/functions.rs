@@ -1,7 +1,7 @@
 //! Rational functions over ℚ with expanded numerators and factored denominators.
 //!
-//! A function is zero exactly if its numerator has no terms. No gcd is computed. All operations
-//! after the budget is spent return `None`.
+//! A function is zero exactly if its numerator has no terms. No gcd is computed. An operation
+//! beyond the budget returns `None`, and so do all operations on this result.
 
 use std::cell::RefCell;
 
@@ -47,7 +47,8 @@ impl Functions {
         a.pow_within(exponent, &mut self.budget.borrow_mut()).ok()
     }
 
-    /// Multiplies `numerator` by the factors that `target` has in addition to `have`.
+    /// Multiplies `numerator` by the factors of the denominator `target` that the denominator
+    /// `have` lacks.
     fn expand_to(
         &self,
         numerator: &Polynomial,
@@ -83,8 +84,8 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Divides `numerator` by factors of the denominator `below`, if both have equally many terms.
-    /// Factors that remain are appended to `denominator`.
+    /// Cancels factors of `below` in `numerator`, and appends the factors that remain to
+    /// `denominator`. Only factors with as many terms as `numerator` are tried.
     fn cancel(
         &self,
         numerator: &mut Polynomial,

@@ -16,7 +16,8 @@ use super::lower::{HIGHEST_EXPONENT, LoweringTarget, MOST_BITS, lower};
 use super::names::{NameMeaning, Scope};
 use super::stand_in::StandIn;
 
-/// Compiles the claims in order. Claims with mistakes are left out, but `stand_in` declares them.
+/// Compiles the claims in order. Claims with mistakes are left out of the result, but recorded in
+/// `stand_in`.
 pub(super) fn compile_all(
     block: &Block,
     components: &[RationalFunction],

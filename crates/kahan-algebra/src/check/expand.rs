@@ -24,18 +24,19 @@ use super::names::{NameMeaning, Scope};
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 300_000;
 const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
-/// For sums of more terms, the order in which terms are written is not stored.
+/// The order of the terms in a sum is stored for at most this many terms.
 const MOST_IN_ORDER: usize = 64;
-/// Powers of sums with a larger degree in the states are not expanded.
+/// Powers of sums are expanded only up to this degree in the states.
 const HIGHEST_DEGREE: u64 = 64;
 
-/// A fraction p/q and the numerator as written.
+/// A fraction p/q, in expanded form and as written.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion {
     pub(super) numerator: Polynomial,
     /// The denominator q. A constant denominator is 1.
     pub(super) denominator: Polynomial,
-    /// The written form. `None` if it equals `numerator` and has no divisor.
+    /// The fraction as written, with sums and divisors as named subexpressions. `None` if it is
+    /// just `numerator`.
     kept: Option<Polynomial>,
     /// The terms of a sum in order of addition, if the sum has 3 to 64 terms.
     order: Vec<Polynomial>,
@@ -295,8 +296,8 @@ impl FractionExpander<'_> {
         a.mul_within(b, &mut self.budget).map_err(|_| too_large(span))
     }
 
-    /// Returns the sum of the written forms, and its terms in order of addition. The sum is `None`
-    /// if it does not differ from the expanded sum.
+    /// Returns the sum of the terms as written, and the terms in order of addition. The first
+    /// result is `None` if the written sum does not differ from the expanded one.
     fn kept_sum(
         &mut self,
         terms: &[(bool, Expansion)],
@@ -319,7 +320,8 @@ impl FractionExpander<'_> {
         Ok((kept, order.into_iter().map(|(_, term)| term).collect()))
     }
 
-    /// Returns the written form for use as a factor. A sum becomes a named subexpression.
+    /// Returns the fraction `of` as written, for use as a factor. A sum becomes a named
+    /// subexpression.
     fn factor(&mut self, of: &Expansion) -> Polynomial {
         let Some((first, others)) = of.order.split_first() else {
             return self.values.factor(of.written_form());
@@ -327,7 +329,6 @@ impl FractionExpander<'_> {
         others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))
     }
 
-    /// Returns the product of the written forms, or `None` if it equals the expanded product.
     fn kept_product(&mut self, a: &Expansion, b: &Expansion) -> Option<Polynomial> {
         let is_sign = |value: Rational| (&value * &value).is_one();
         let is_single = |of: &Expansion| of.kept.is_none() && of.numerator.len() < 2;
@@ -348,7 +349,7 @@ impl FractionExpander<'_> {
         (variables, self.scope.symbols.degree(&of.numerator))
     }
 
-    /// Reduces p/q to lowest terms. If a divisor as written cancels, the written form is dropped.
+    /// Reduces p/q to lowest terms. The form as written is dropped if one of its divisors cancels.
     fn reduced(&mut self, expansion: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
         if expansion.denominator.is_one() || !self.reduces {
             return Ok(expansion);
@@ -365,7 +366,6 @@ impl FractionExpander<'_> {
         }
     }
 
-    /// Replaces the written form by the numerator times the reciprocal of the divisor.
     fn without_kept(&mut self, expansion: Expansion) -> Expansion {
         if expansion.denominator.is_one() {
             return Expansion { kept: None, order: Vec::new(), ..expansion };

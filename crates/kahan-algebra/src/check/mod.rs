@@ -36,7 +36,8 @@ const MOST_EQUATIONS: usize = 10_000;
 const MOST_NAMES: usize = 10_000;
 const MOST_CLAIMS: usize = 500;
 
-/// Returns the diagnostic for a family where a system with a number of sites is needed.
+/// Returns the diagnostic for a family that was given without a number of sites, where a system is
+/// needed.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     let message = "a family of equations stands here, and the number of its sites is not known";
@@ -133,8 +134,8 @@ fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> b
     true
 }
 
-/// Compiles further claims about a system without proving them. Claims may use earlier claims of
-/// `tokens` only.
+/// Compiles further claims about a system without proving them. A claim may use earlier claims of
+/// `tokens`, but no claims of the system.
 ///
 /// # Errors
 /// Returns the mistakes.
@@ -149,7 +150,6 @@ pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Di
     if mistakes.is_empty() { Ok(claims) } else { Err(mistakes) }
 }
 
-/// Checks plain equations. Returns the system only if there are no mistakes.
 pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if report_size(&block, diagnostics) {
         return (StandIn::of_type(block.header), None);

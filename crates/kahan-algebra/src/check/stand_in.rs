@@ -17,7 +17,7 @@ use crate::system::{Claim, Condition, System};
 pub struct Broken {
     /// The mistakes, ordered by place. The list is not empty.
     pub diagnostics: Vec<Diagnostic>,
-    /// The stand-in for the block with mistakes.
+    /// The names of the block, with which code can be generated in spite of the mistakes.
     pub stand_in: StandIn,
 }
 
@@ -30,18 +30,18 @@ pub struct StandIn {
     pub symbols: Symbols,
     /// The parameters of each site of a family.
     pub site_parameters: Vec<String>,
-    /// The flag is true for unconditional claims.
+    /// The kind and the name of each claim, and whether it is unconditional.
     claims: Vec<(ClaimKind, Name, bool)>,
 }
 
 impl StandIn {
-    /// Returns a stand-in without names.
+    /// Returns a stand-in for a block of which only the header is known.
     #[must_use]
     pub fn of_type(header: Option<Header>) -> Self {
         StandIn { header, symbols: Symbols::default(), site_parameters: Vec::new(), claims: Vec::new() }
     }
 
-    /// Returns a stand-in with the names of a system.
+    /// Returns a stand-in with the names of a system, for use if its claims are not proved.
     #[must_use]
     pub fn of_system(system: &System) -> Self {
         let claims =

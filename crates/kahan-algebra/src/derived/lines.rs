@@ -194,8 +194,9 @@ impl LineWriter<'_> {
         self.multiple(None, component.numerator(), component.denominator())
     }
 
-    /// Writes p/q or ε·p/q as Σ cₖ·pₖ with prepared coefficients cₖ and integer polynomials pₖ. The
-    /// sum is divided by q if q depends on the site.
+    /// Writes p/q or ε·p/q for p = `above` and q = `below`. The numerator is a sum Σ cₖ·pₖ of
+    /// integer polynomials pₖ with prepared coefficients cₖ, which include the factor 1/q unless q
+    /// depends on the site.
     fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
         let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
         let one = Polynomial::one();

@@ -29,7 +29,7 @@ use crate::system::{Claim, System};
 /// The plans of a system. Inputs are the states, the parameters and ε, which is half the time step.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// The system of the plans.
+    /// The system from which the plans are derived.
     pub system: System,
     /// The plan of the divisors of the field. The field is undefined where a divisor is zero.
     pub divisors: Plan,
@@ -37,8 +37,8 @@ pub struct Derived {
     pub map: Option<RationalMap>,
     /// The plan of det A(x,ε) in expanded form. `None` if the budget is exceeded.
     pub det_matrix: Option<Plan>,
-    /// The plan of the map without cancellation. Numerators come first, then the common
-    /// denominator. `None` if the budget is exceeded.
+    /// The plan of the map before common factors are cancelled. Numerators come first, then the
+    /// common denominator. `None` if the budget is exceeded.
     pub rational_map: Option<Plan>,
     /// The plan of the reduced map. Numerators come first, then the denominator. `None` if no
     /// factor with states was divided out.
@@ -108,7 +108,6 @@ pub fn derive(system: &System) -> Derived {
     }
 }
 
-/// The field and the map from which the step is planned.
 #[derive(Clone, Debug)]
 struct PlannedField {
     with_constants: FieldWithConstants,
@@ -116,8 +115,8 @@ struct PlannedField {
 }
 
 impl PlannedField {
-    /// Returns the field in which constant subexpressions are parameters. If a factor of the map
-    /// then no longer cancels, returns the plain field.
+    /// Returns the field in which constant subexpressions are parameters. Returns the unchanged
+    /// field if a factor of its map would no longer cancel.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
@@ -170,9 +169,10 @@ impl Derived {
         })
     }
 
-    /// Returns the plan of the coefficients of a dense field. Returns `None` for other fields. Each
-    /// component lists its constant cᵢ, the coefficients bᵢⱼ of variables, and the coefficients
-    /// qᵢⱼₖ of products xⱼxₖ with j ≤ k, row by row:
+    /// Returns the plan of the coefficients of a dense field, which contains many products of two
+    /// variables. Returns `None` for other fields. Each component lists its constant cᵢ, the
+    /// coefficients bᵢⱼ of variables, and the coefficients qᵢⱼₖ of products xⱼxₖ with j ≤ k, row by
+    /// row:
     ///
     /// fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j,
     ///

@@ -38,7 +38,7 @@ impl ValueNames {
         }
     }
 
-    /// Returns these names without the names in `taken`, which no value will get.
+    /// Reserves the names in `taken`, so that no value gets them.
     #[must_use]
     pub fn without(self, taken: impl IntoIterator<Item = String>) -> Self {
         ValueNames { taken: taken.into_iter().collect(), ..self }

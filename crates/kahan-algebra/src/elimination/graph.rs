@@ -50,8 +50,7 @@ impl Graph {
         self.rows.len()
     }
 
-    /// Returns the neighbours of each variable. Neighbours depend on each other in one direction at
-    /// least.
+    /// Returns for each variable the variables that depend on it or on which it depends.
     pub(super) fn neighbours(&self) -> Vec<Vec<usize>> {
         let mut neighbours = vec![Vec::new(); self.len()];
         for (a, row) in self.rows.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! Plans the sparse elimination of A(x,ε), once for all states.
 //!
-//! The result lists the positions of all entries, fill-in included. Variable i has the pivot 1 − ε
-//! ∂fᵢ/∂xᵢ. Rows are never exchanged, so callers must check the pivots. The blocks of a triangular
-//! field are eliminated one after another.
+//! The result lists the positions of all entries, fill-in included. The pivots are the diagonal
+//! entries, which begin as 1 − ε ∂fᵢ/∂xᵢ. Rows are never exchanged, so callers must check the
+//! pivots. The blocks of a triangular field are eliminated one after another.
 
 mod graph;
 mod orders;
@@ -19,7 +19,8 @@ use crate::subexpressions::Subexpressions;
 use graph::{Graph, positions};
 use orders::cheapest;
 
-/// Fields of a larger dimension always use elimination.
+/// The largest dimension of a field whose map may be written as expanded formulas. Steps of larger
+/// fields always use elimination.
 pub const MOST_EXPANDED: usize = 8;
 
 /// The most variables that a block of `kahan!` may have in compiled code.
@@ -28,7 +29,7 @@ const MOST_PARAMETERS: usize = 2000;
 /// The most nonzero entries of f′ in a block of `kahan!` with many variables.
 const MOST_SLOPES: usize = 1500;
 
-/// Eliminations with more multiplications are written as loops.
+/// The most multiplications of an elimination that is written as straight-line code, not as loops.
 const MOST_STRAIGHT: usize = 1500;
 
 /// The entries of A(x,ε) that may become nonzero during elimination, by rows. Rows and columns are
@@ -62,8 +63,8 @@ pub struct Row {
     pub end: usize,
 }
 
-/// Returns the diagnostic for too many parameters. Derived comparisons nest one expression for each
-/// parameter, and deep nesting overflows the stack of rustc.
+/// Returns the diagnostic for too many parameters. A derived `PartialEq` nests one expression for
+/// each parameter, and deep nesting overflows the stack of rustc.
 #[must_use]
 pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
     (parameters > MOST_PARAMETERS).then(|| {
@@ -211,7 +212,6 @@ pub(crate) mod tests {
         order
     }
 
-    /// Returns for each variable a random list of variables on which it depends.
     pub(crate) fn random_rows(random: &mut SplitMix64, n: usize, mutual: bool) -> Vec<Vec<usize>> {
         let mut rows = vec![Vec::new(); n];
         for _ in 0..n * (1 + below(random, 5)) / 2 {

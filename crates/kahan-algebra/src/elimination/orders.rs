@@ -7,8 +7,8 @@ use kahan_syntax::table::sorted_by_key;
 
 use super::graph::{FilledPattern, Graph};
 
-/// Returns the cheapest order and its fill-in. Among equal costs, the shortest chain of pivots
-/// wins.
+/// Returns the cheapest order and its fill-in. Among orders of equal cost, returns the one with the
+/// shortest chain of pivots.
 pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
     let neighbours = graph.neighbours();
     let proposals = [
@@ -65,8 +65,8 @@ fn reverse_cuthill_mckee(neighbours: &[Vec<usize>]) -> Vec<usize> {
 }
 
 /// Returns the minimum degree order. A variable with the fewest neighbours comes next (H. M.
-/// Markowitz, Management Sci. 3 (1957) 255–269). Among equal variables, the shortest chain of
-/// pivots comes first.
+/// Markowitz, Management Sci. 3 (1957) 255–269). If several variables have equally few neighbours,
+/// the one with the shortest chain of pivots comes first.
 fn minimum_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut around = neighbours.to_vec();
     let mut chain_lengths = vec![0_usize; around.len()];
@@ -75,7 +75,6 @@ fn minimum_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let all = (0..around.len()).map(|place| Reverse((around[place].len(), 0, place)));
     let mut queue: BinaryHeap<_> = all.collect();
     while let Some(Reverse((degree, turn, chosen))) = queue.pop() {
-        // Entries of the priority queue that are out of date are skipped.
         if !is_left[chosen] || (degree, turn) != (around[chosen].len(), chain_lengths[chosen]) {
             continue;
         }

@@ -17,14 +17,15 @@ use super::Family;
 use super::expand::Chain;
 
 const MOST_TERMS: usize = 100_000;
-/// The proof of one claim takes at most this many multiplications of terms.
+/// Each stage of the proof of a claim takes at most this much work, in multiplications of terms.
 pub const MOST_WORK: u64 = 300_000;
 
 pub(super) fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// The first and the last site that a term needs. In a ring, both are the middle site.
+/// The first and the last site that must exist if a term is to occur. In a ring, both are the
+/// middle site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct SiteRange {
     pub first: usize,
@@ -83,8 +84,8 @@ impl<'a> MiddleSite<'a> {
         SiteRange { first: site, last: site }
     }
 
-    /// Returns the smallest extent with `place` and the sites of a monomial. In a ring, returns
-    /// `place`.
+    /// Extends `place` to the smallest range that also contains the sites of a monomial. In a ring,
+    /// returns `place`.
     pub(super) fn extent(&self, monomial: &Monomial, place: SiteRange) -> SiteRange {
         if self.chain.family.boundary == Boundary::Periodic {
             return place;
@@ -93,14 +94,15 @@ impl<'a> MiddleSite<'a> {
         sites.fold(place, |extent, site| extent.with(SiteRange { first: site, last: site }))
     }
 
-    /// Moves an extent by a number of sites. Extents in a ring do not move.
+    /// Moves a range by a number of sites. Ranges in a ring do not move.
     pub(super) fn moved(&self, extent: SiteRange, by: i64) -> SiteRange {
         let by = if self.chain.family.boundary == Boundary::Open { by } else { 0 };
         let [first, last] = [extent.first, extent.last].map(|site| (site as i64 + by) as usize);
         SiteRange { first, last }
     }
 
-    /// Returns the first site in these monomials. Without a site, returns the middle site.
+    /// Returns the first site whose values occur in these monomials, or the middle site if there is
+    /// none.
     pub(super) fn first_site<'b>(&self, monomials: impl Iterator<Item = &'b Monomial>) -> usize {
         let variables = monomials.flat_map(Monomial::powers);
         variables.filter_map(|(variable, _)| self.site_of(*variable)).min().unwrap_or(self.site)

@@ -82,11 +82,12 @@ struct Term {
     extent: SiteRange,
 }
 
-/// A term of the equation ẋ = K∇H for an array at the middle site.
+/// A term of one array's equation in ẋ = K∇H, written at the middle site.
 struct RowTerm {
     monomial: Monomial,
     extent: SiteRange,
-    /// The index of the unknown entry of K in the term. A term of ẋ has the number of all unknowns.
+    /// The index of the unknown entry of K that multiplies the term. Terms of ẋ have the number of
+    /// all unknowns instead.
     unknown: usize,
     coefficient: Polynomial,
 }
@@ -111,8 +112,8 @@ pub(super) fn find_unmatched_term(
         site: middle.site - extent.first,
         sites: extent.sites(),
     };
-    // In long chains, terms with equal monomials must cancel. Equations with a term of ẋ come
-    // first, so that reports name such a term.
+    // In long chains, the terms with equal monomials must cancel. Equations with a term of ẋ are
+    // added first, so that an error message names such a term.
     let long = SiteRange { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
@@ -125,7 +126,8 @@ pub(super) fn find_unmatched_term(
             }
         }
     }
-    // Terms with equal extent and monomial must cancel. Short extents come first.
+    // In short chains, terms whose sites do not exist are missing. Terms with equal monomials must
+    // therefore cancel separately for each range of sites.
     for (array, mut terms) in rows.into_iter().enumerate() {
         let order = |term: &RowTerm| (term.extent.sites(), term.extent.first);
         terms.sort_by_key(order);
@@ -232,7 +234,7 @@ fn relative_monomial(middle: &MiddleSite<'_>, monomial: &Monomial) -> String {
 /// Linear equations in row echelon form. The column `unknowns` is the right-hand side.
 struct Equations {
     unknowns: usize,
-    /// The rows by the index of the first unknown, with coefficient 1.
+    /// The rows, by the index of their first unknown, which has the coefficient 1.
     rows: Table<usize, Row>,
 }
 

@@ -134,7 +134,7 @@ impl Family {
             .map(|(array, component)| format!("{array}[i]dot = {}", Text.function(&self.symbols, component)))
     }
 
-    /// Returns the indices of the states in the field of an array.
+    /// Returns the indices of the states on which the field of an array depends.
     #[must_use]
     pub fn couplings(&self, array: usize) -> Vec<usize> {
         let numerator = self.components[array].numerator();

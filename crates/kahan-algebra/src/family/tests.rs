@@ -196,7 +196,6 @@ fn constant_stencils_are_found_where_they_are() {
             "for i in periodic {{ x[i]dot = k*(({after}) - ({before})){more}; }} hamiltonian H = sum({density});"
         )
     };
-    // The derivative of Σ x[i]^2 x[i+1] by x at the site with offset `s`.
     let gradient = |s: &str| {
         let at = |more: i64| {
             let offset: i64 = s.parse::<i64>().unwrap() + more;

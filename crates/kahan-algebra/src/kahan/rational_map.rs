@@ -21,15 +21,15 @@ pub const TERM_BUDGET: usize = 500;
 /// milliseconds.
 const WORK_BUDGET: u64 = 40_000;
 
-/// The map of a field, within the budget.
+/// The map of a field as expanded polynomials, if they are not too large.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RationalMap {
     /// The numerators N̂ of x̃ over [`Self::denominator`].
     pub numerators: Vec<Polynomial>,
     /// The denominator D̂ = ∏q · det A.
     pub denominator: Polynomial,
-    /// The product ∏q of the denominators of the field. Division by the product gives N = N̂/∏q and
-    /// D = D̂/∏q.
+    /// The product ∏q of the denominators of the field. Dividing [`Self::numerators`] and
+    /// [`Self::denominator`] by this product gives the N and D of the map N/D with D = det A.
     pub divisor: Polynomial,
     /// The map in lowest terms.
     pub reduced: Reduced,
@@ -42,7 +42,7 @@ pub struct Reduced {
     pub increments: Vec<Polynomial>,
     /// The common denominator d of the increments.
     pub denominator: Polynomial,
-    /// The common factor that was divided out of n̂ and D̂.
+    /// The common factor that was cancelled in the increments and the denominator.
     pub common_factor: Polynomial,
 }
 

@@ -9,8 +9,7 @@ pub(super) type Relation = Vec<(usize, Polynomial)>;
 
 /// Returns a basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ. No cₖ contains a state.
 ///
-/// The last index of a relation occurs in no other relation of the basis. Every combination of
-/// relations has one of these last indices.
+/// The last index k of a relation occurs in no other relation of the basis.
 pub(super) fn linear_relations(
     vectors: &[Polynomial],
     is_state: impl Fn(Variable) -> bool,

@@ -29,7 +29,7 @@ const FIRST_ROUND_POINTS: usize = 25;
 const SECOND_ROUND_POINTS: usize = 100;
 /// The limit for the ratio of a step's median error to that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// Smaller median errors of elimination, as multiples of the unit roundoff, are replaced by this.
+/// Median errors of elimination are raised to at least this multiple of the unit roundoff.
 const LEAST_MEDIAN_ERROR: f64 = 10.0;
 /// The limit for the ratio of a step's error to that of elimination at the quantile `TAIL`.
 const TAIL_FACTOR: f64 = 60.0;
@@ -39,9 +39,9 @@ const LEAST_TAIL_ERROR: f64 = 1000.0;
 const REFUSAL_RATIO: f64 = 1.5;
 /// A step can replace a refused step if its errors are at most this fraction of their limits.
 const REPLACEMENT_RATIO: f64 = 1.0 / 6.0;
-/// A second round is skipped if the largest likely ratio of errors to limits is below this.
+/// A second round is skipped if errors are likely below this fraction of their limits.
 const CLEARLY_WITHIN_RATIO: f64 = 0.2;
-/// A second round is skipped if the measured ratio of errors to limits is above this.
+/// A second round is skipped if the errors of the first round exceed their limits by this factor.
 const CLEARLY_BEYOND_RATIO: f64 = 3.0 * REFUSAL_RATIO;
 /// With probability 0.9, the true median of n errors is between the quantiles
 /// ½ ± MEDIAN_BAND_FACTOR/√n.
@@ -133,8 +133,7 @@ impl AccuracyLoss {
         self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
     }
 
-    /// Returns the largest size ‖εf′‖∞ up to which the step is accurate. Returns 0 without such a
-    /// size.
+    /// Returns the largest size ‖εf′‖∞ up to which the step is accurate, or 0 if there is none.
     pub(super) fn holds_to(&self) -> u32 {
         let held = STEP_SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED_RATIO);
         held.last().map_or(0, |(size, _)| *size)

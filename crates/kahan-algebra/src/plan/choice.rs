@@ -29,8 +29,8 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form serves many orbits in SIMD lanes. In a single orbit, a form may be
-        // faster whose steps wait less for the previous step.
+        // The cheapest form serves many orbits in SIMD lanes. In a single orbit, a form whose steps
+        // wait less for the previous step may be faster.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);
@@ -66,9 +66,8 @@ impl StepPlan {
 mod tests {
     use super::*;
 
-    /// Returns the forms with a shorter recurrence than the cheapest form, and the number of all
-    /// forms. The function `recurrence` maps the recurrence of the cheapest form to a limit for the
-    /// search.
+    /// Returns forms in which a step waits less for the previous step than in the cheapest form,
+    /// and the number of forms that were tried.
     fn shorter_recurrences(
         field: &Field,
         map: &RationalMap,

@@ -10,7 +10,8 @@ use crate::symbols::Symbols;
 use super::{Node, Plan, PlanBuilder};
 
 const FEWEST_VARIABLES: usize = 10;
-/// For fields with fewer products of two variables, straight-line code is faster.
+/// A dense field has at least this many products of two variables. With fewer, straight-line code
+/// is faster.
 const FEWEST_PRODUCTS: usize = 300;
 /// In a dense field, at least one in this many products has a nonzero coefficient.
 const PRODUCTS_PER_NONZERO: usize = 10;
@@ -46,8 +47,8 @@ pub(crate) struct DenseField {
 }
 
 impl DenseField {
-    /// Returns the field in dense form. Returns `None` if the field has few products of two
-    /// variables, divisors, or sums as factors.
+    /// Returns the field in dense form. Returns `None` if the field has divisors, sums as factors,
+    /// or few products of two variables.
     pub(crate) fn of(kept: &FieldWithSubexpressions, symbols: &Symbols) -> Option<Self> {
         let n = symbols.dimension();
         let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / PRODUCTS_PER_NONZERO);

@@ -1,4 +1,4 @@
-//! Writes polynomials in nested (Horner) form, for all plans except steps.
+//! Writes polynomials in nested (Horner) form. Steps and claims have other forms.
 //!
 //! After every choice of a variable, the remaining terms are examined again. A budget limits the
 //! number of examined terms in a plan. Beyond the budget, all variables are factored out at once.

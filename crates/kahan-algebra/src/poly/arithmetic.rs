@@ -2,7 +2,7 @@
 //!
 //! A product forms a sorted run for each term of the shorter factor. Runs of similar length are
 //! merged, like the digits of a binary counter. Factors of n and m terms take n·m multiplications
-//! of terms and n·m·log₂ min(n, m) comparisons.
+//! of terms and about n·m·log₂ min(n, m) comparisons.
 
 use std::cmp::Ordering;
 use std::convert::Infallible;

@@ -6,7 +6,7 @@ use kahan_syntax::table::{Table, sorted_by_key};
 use super::{Budget, Monomial, Polynomial, Term, Variable, WithinBudget};
 
 impl Polynomial {
-    /// Returns the partial derivative by a variable.
+    /// Returns the partial derivative with respect to a variable.
     pub fn derivative(&self, variable: Variable) -> Self {
         let mut terms = Vec::new();
         for (monomial, coefficient) in &self.terms {
@@ -18,7 +18,8 @@ impl Polynomial {
         Self::from_sorted(terms)
     }
 
-    /// Returns the nonzero derivatives by the variables that satisfy `is_wanted`, in one pass.
+    /// Returns the nonzero derivatives with respect to variables that satisfy `is_wanted`, in one
+    /// pass.
     pub fn gradient(&self, is_wanted: impl Fn(Variable) -> bool) -> Table<Variable, Self> {
         let mut slopes: Table<Variable, Vec<Term>> = Table::new();
         for (monomial, coefficient) in &self.terms {

@@ -35,8 +35,8 @@ pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within
     Ok(gcd_stripped(&stripped_a, &stripped_b, budget)?.mul_monomial(&common))
 }
 
-/// Returns the gcd of all polynomials, or 0 without polynomials. The computation stops when the gcd
-/// is 1.
+/// Returns the gcd of all polynomials, which is 0 if there are none. The computation stops when the
+/// gcd is 1.
 ///
 /// # Panics
 /// If a total degree exceeds 2^24 during the computation.
@@ -98,7 +98,8 @@ fn gcd_of_coefficients(
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
 }
 
-/// Returns the gcd of contents times that of primitive parts in the variable of least degree.
+/// Computes the gcd as polynomials in the variable of least degree, as the product of the gcd of
+/// the contents and the gcd of the primitive parts.
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,

@@ -76,7 +76,8 @@ fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
     powers
 }
 
-/// Returns the image of each variable. All other variables are set to elements of F_p.
+/// Returns for each variable the image of the polynomial in which all other variables have random
+/// values in F_p.
 fn images(polynomial: &Polynomial, degrees: &Table<Variable, u32>) -> Table<Variable, Univariate> {
     let variables: Vec<Variable> = degrees.iter().map(|(variable, _)| *variable).collect();
     let points: Vec<Vec<u64>> = degrees.iter().map(|(&v, &degree)| powers_of_point(v, degree)).collect();

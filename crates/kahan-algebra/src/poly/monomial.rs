@@ -68,7 +68,7 @@ impl Monomial {
         self.degree
     }
 
-    /// Returns the exponent of `variable`, or 0.
+    /// Returns the exponent of `variable`, which is 0 if it does not occur.
     pub fn exponent(&self, variable: Variable) -> u32 {
         let powers = self.powers();
         let mut index = 0;

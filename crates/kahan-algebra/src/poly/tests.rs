@@ -171,7 +171,6 @@ fn products_and_powers_keep_to_their_budget() {
     assert_eq!(many.pow_within(64, &mut Budget::new(100_000, u64::MAX)), Err(OverBudget));
     let dense = &(&(&v(0) * &v(0)) + &v(0)) + &c(1);
     assert_eq!(dense.pow_within(64, &mut Budget::new(129, 100_000)).unwrap().len(), 129);
-    // Nested powers of one term overflow neither an exponent nor memory.
     let mut nested = v(0).scale(&Rational::from(3));
     let mut budget = Budget::new(10, 1_000_000);
     let refused = (0..100).any(|_| match nested.pow_within(64, &mut budget) {
@@ -222,7 +221,6 @@ fn the_gcd_at_the_borders() {
     );
 }
 
-/// Returns the denominator, the first numerator and the common factor of a map like that of E3.
 fn e3() -> (Polynomial, Polynomial, Polynomial) {
     let (x, y, z, e) = (v(0), v(1), v(2), v(3));
     let pole = &c(1) + &(&e * &z);

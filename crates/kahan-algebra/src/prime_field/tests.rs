@@ -13,8 +13,6 @@ fn primality_is_decided() {
     for prime in [(1 << 61) - 1, 18_446_744_073_709_551_557, 4_611_686_018_427_387_847] {
         assert!(is_prime_u64(prime), "{prime}");
     }
-    // Some are strong pseudoprimes to 4, 7 and 9 bases. Others are a Carmichael number and squares
-    // of large primes.
     let composites =
         [3_215_031_751, 341_550_071_728_321, 3_825_123_056_546_413_051, 561, 66_049, 4_295_098_369, u64::MAX];
     for composite in composites {

@@ -74,7 +74,7 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
     a.len() == b.len() && values(a) == values(b)
 }
 
-/// The most operations at a point for the claims of a block.
+/// The most operations that the claims of a block may take at each random point.
 const MOST_OPERATIONS: usize = 1_500_000;
 
 /// Estimates the number of operations at a point for all claims. The n³ operations of eliminations

@@ -1,5 +1,5 @@
 //! Proves claims at random points modulo random primes and at one exact point. [`super::sizes`]
-//! bounds the error.
+//! bounds the error. Without an exact point at which the claim is defined, the primes decide.
 
 use kahan_syntax::syntax::ClaimKind;
 

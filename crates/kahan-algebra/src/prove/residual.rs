@@ -31,7 +31,7 @@ pub(super) struct Sides<V> {
 pub enum Identity {
     /// The only identity of an integral, a drift or a density.
     Value,
-    /// The invariance of a bracket in the entry {i, j}.
+    /// The invariance of the entry {i, j} of a bracket.
     Entry(usize, usize),
     /// The Jacobi identity of a bracket for the states i, j, k.
     Jacobi(usize, usize, usize),

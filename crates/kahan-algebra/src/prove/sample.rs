@@ -11,7 +11,8 @@ use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::symbols::Symbols;
 use crate::system::Condition;
 
-/// The plans of the numerators of the field and of the matrix Â.
+/// The plans of the numerators of the field, and of the matrix A with each row multiplied by the
+/// denominator of its equation.
 pub(super) struct FieldPlans {
     pub(super) symbols: Symbols,
     pub(super) numerators: Plan,
@@ -32,13 +33,14 @@ impl FieldPlans {
     }
 }
 
-/// A point x and its image x̃, with the matrices Â(x,ε) and Â(x̃,−ε).
+/// A point `here` with its image `there`, and the matrices of the steps from `here` with ε and from
+/// `there` with −ε.
 pub(super) struct Sample<V> {
     pub(super) here: Vec<V>,
     pub(super) there: Vec<V>,
     pub(super) matrix: Vec<Vec<V>>,
     pub(super) back_matrix: Vec<Vec<V>>,
-    /// The determinant det ∂x̃/∂x = det Â(x̃,−ε) / det Â(x,ε).
+    /// The determinant of the Jacobian ∂x̃/∂x.
     pub(super) jacobian_determinant: V,
 }
 
@@ -140,9 +142,9 @@ pub(super) fn evaluate_conditions<A: OverRationals>(
     Some(())
 }
 
-/// Draws a random point of this height and imposes the conditions. ε is positive and parameters are
-/// nonzero, unless the conditions fix them. Returns `None` if a condition divides by zero, or if ε
-/// = 0.
+/// Draws a random point of fractions with terms up to `height`, and imposes the conditions. ε is
+/// positive and parameters are nonzero, unless the conditions fix them. Returns `None` if a
+/// condition divides by zero, or if ε = 0.
 pub(super) fn small_point(
     scheme: &FieldPlans,
     conditions: &[Condition],

@@ -35,8 +35,7 @@ pub const ERROR_EXPONENT: u32 = 100;
 /// digits.
 pub(super) const HIGHEST_DEGREE: u64 = 1 << 20;
 
-/// Returns the number of points that prove a claim. Returns `None` if no reasonable number
-/// suffices.
+/// Returns the number of points that prove a claim. Returns `None` if too many points are needed.
 pub(super) fn points_for(scheme: &FieldPlans, claim: &Claim) -> Option<u32> {
     let residuals =
         SampledClaim { claim, arithmetic: &SizeArithmetic, sample: &sample(scheme, claim)? }.pairs()?;
@@ -45,11 +44,12 @@ pub(super) fn points_for(scheme: &FieldPlans, claim: &Claim) -> Option<u32> {
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
-/// Returns the least number k of points with (r²·e)ᵏ < 2⁻¹⁰⁰. The head of this module defines r and
-/// e.
+/// Returns how many points prove a claim whose residual has a numerator of this `degree`. The
+/// absolute values of its coefficients sum to at most 2 to the power `bits`. Returns `None` if the
+/// numbers are too large.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
-    // With b and e as in the head of this module, e·2⁶⁰ is at most 64·(b/60 + 1) + deg F.
+    // The error probability e of a point satisfies e·2⁶⁰ ≤ 64·(bits/60 + 1) + degree.
     let draws = const { MOST_DRAWS as u64 * MOST_DRAWS as u64 };
     let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(draws)?;
     let lost = u64::BITS - units.leading_zeros();

@@ -30,8 +30,8 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
     }
 }
 
-/// Returns the claim as formulas. Each pair has a name or entry and its value. A drift has a second
-/// pair for F(x̃).
+/// Returns the claim as formulas. Each pair contains the name of the claim or of a bracket's entry,
+/// and its value. A drift has a second pair for F(x̃).
 #[must_use]
 pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, String)> {
     match &claim.body {
@@ -47,7 +47,8 @@ pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, S
     }
 }
 
-/// Returns the conditions as text such as `eps = 1, c = -a - b`, or an empty text.
+/// Returns the conditions as text such as `eps = 1, c = -a - b`. The text is empty if there are
+/// none.
 #[must_use]
 pub fn condition_text(system: &System, claim: &Claim) -> String {
     condition_statement(system, claim, &Text)

@@ -4,7 +4,8 @@ use kahan_syntax::syntax::{Expr, ExprKind, FamilySyntax, Reference};
 
 use super::notation::{Notation, Text};
 
-/// The precedence of the outermost operation of an expression. Lower operations need parentheses.
+/// The precedence of the outermost operation of an expression. An operand of lower precedence than
+/// its operator needs parentheses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Precedence {
     /// A sum or a negation.
@@ -23,7 +24,7 @@ pub fn expression_text(expr: &Expr) -> String {
     Text.expression(expr)
 }
 
-/// Returns an expression in a notation with its precedence.
+/// Writes an expression in a notation. Returns the text and its precedence.
 pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Precedence) {
     match &expr.kind {
         ExprKind::Number(value) => {

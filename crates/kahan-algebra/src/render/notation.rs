@@ -34,7 +34,7 @@ pub trait Notation: fmt::Debug {
         format!("{base}^({exponent})")
     }
 
-    /// Writes a function call. Without a function name, writes the argument in parentheses.
+    /// Writes a function call. If `function` is empty, writes the argument in parentheses.
     fn call(&self, function: &str, argument: &str) -> String {
         format!("{function}({argument})")
     }

@@ -47,7 +47,7 @@ fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
     ranges.get(token.min(last)).cloned().unwrap_or(text.len()..text.len())
 }
 
-/// The most columns of the line with the caret.
+/// The line with the caret is cut to this many columns.
 const WIDTH: usize = 80;
 
 fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {

@@ -31,9 +31,10 @@ fn fields() -> usize {
 const POINTS: usize = 7;
 /// The number of runs at each point.
 const RUNS: usize = 24;
-/// The largest allowed ratio of the error of a plan to that of the text, at each point.
+/// The largest allowed ratio between the errors of a plan and of the formulas as written, at each
+/// point.
 const EVERYWHERE: f64 = 8.0;
-/// The largest allowed ratio of these errors in the median over the points of a field.
+/// The largest allowed median of these ratios over the points of a field.
 const IN_THE_MEDIAN: f64 = 2.0;
 
 /// Floats in which every inexact operation is rounded up or down at random.
@@ -293,7 +294,6 @@ impl<'a> Subject<'a> {
             let runs: Vec<&[f64]> = runs.iter().map(|run| run[k].as_slice()).collect();
             let lost = |floats: Option<&[f64]>| lost(floats, &runs, &exact[k], OBJECTS[k] != "step");
             let lost_by_text = lost(Some(&to_nearest[k]))?;
-            // The text, evaluated with rounding to nearest, must also meet the limit.
             assert!(lost_by_text <= EVERYWHERE, "{} of {}: {lost_by_text} E", OBJECTS[k], self.name);
             Some((OBJECTS[k], lost(ours.as_ref().map(|ours| ours[k].as_slice()))?))
         };

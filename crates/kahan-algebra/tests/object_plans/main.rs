@@ -40,7 +40,6 @@ fn system(text: &str) -> System {
     reading.system().expect("a system")
 }
 
-/// Returns a test point of positive numbers and one of negative numbers.
 fn places(system: &System) -> [Place; 2] {
     [1, -1].map(|sign| {
         let n = system.field.dimension() as i64;
@@ -119,7 +118,8 @@ fn solved(matrix: &[Vec<Rational>], right: &[Vec<Rational>]) -> (Vec<Vec<Rationa
     (rows.into_iter().map(|row| row[n..].to_vec()).collect(), determinant)
 }
 
-/// The objects by their definitions. Differences of a quadratic f give exact derivatives.
+/// Computes the objects by their definitions. Because f is quadratic, differences give exact
+/// derivatives.
 struct Definitions<'a> {
     written: &'a Written,
     place: &'a Place,
@@ -237,7 +237,8 @@ impl Definitions<'_> {
             "step" | "general step" => next,
             "det A" => vec![determinant],
             "(N, D)" => over(determinant),
-            // The denominator is determined only up to a factor, so the polynomial gives its value.
+            // The denominator is unique only up to a factor, so its value comes from the map's
+            // polynomial.
             "(N, D) reduced" => {
                 let map = derived.map.as_ref().expect("there is a reduced map");
                 over(self.place.polynomial(&map.reduced.denominator))
@@ -304,7 +305,6 @@ fn objects<'a>(derived: &'a Derived, written: &Written, places: &[Place; 2]) -> 
     functions.collect()
 }
 
-/// Returns the plan with a changed operation. Returns `None` if the operation is an input.
 fn broken(plan: &Plan, index: usize) -> Option<Plan> {
     let mut plan = plan.clone();
     let operation = &mut plan.operations[index];
@@ -459,7 +459,6 @@ fn a_field_beyond_straight_lines_has_no_plan_of_its_step() {
     assert_eq!(without, ["prepared constants", "step", "det A", "(N, D)"]);
 }
 
-/// Computes one line `name = right` of a listing.
 fn compute(line: &str, values: &mut BTreeMap<String, Rational>) {
     let (name, right) = line.split_once(" = ").expect("an equation");
     let lookup = |text: &str| -> Rational {

@@ -14,7 +14,8 @@ const POINTS: usize = 1000;
 
 type Point = SVector<f64, 3>;
 
-/// Draws the orbit of dE4. Returns `None` if no elliptic solution passes through its initial state.
+/// Draws the orbit of Kahan's map of E4. Returns `None` if no elliptic solution passes through its
+/// initial state.
 pub(super) fn figure_entry() -> Option<FigureEntry> {
     let number = |&(p, q): &(i64, i64)| p as f64 / q as f64;
     let [x, y, z] = DE4.start else { return None };

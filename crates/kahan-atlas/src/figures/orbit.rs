@@ -101,7 +101,6 @@ impl<'a> Orbit<'a> {
 /// Returns the paper's name of the map, for example `dE3` or `Lotka–Volterra map`.
 fn map_name(figure: &Figure) -> String {
     let name = find(figure.system).map_or(figure.system, |entry| entry.name);
-    // Only E1 to E9 have a structure. The paper calls their maps dE1 to dE9.
     if structure(figure.system).is_some() { format!("d{name}") } else { format!("{name} map") }
 }
 

@@ -11,7 +11,7 @@ use super::FigureEntry;
 use kahan_draw::decimal;
 use kahan_draw::{Canvas, Mark, NumberLine, Plot, Series};
 
-/// Half the time step. A cycle takes about twenty steps.
+/// Half the time step. An orbit closes after about twenty steps.
 const EPS: f64 = 0.147;
 const STEPS: usize = 360;
 const SHOWN: f64 = 4.2;

@@ -35,8 +35,8 @@ impl CommandLine {
         CommandLine { command, words: system.to_vec() }
     }
 
-    /// Appends the options of `A` that differ from their defaults. Fields of `asked` are named like
-    /// options.
+    /// Appends the options of `A` that differ from their defaults. The fields of `asked` must have
+    /// the names of the options.
     pub(crate) fn with_changed_options<A: Args>(self, asked: &impl Serialize) -> Self {
         let command = A::augment_args(clap::Command::new(self.command));
         let fields = json!(asked);

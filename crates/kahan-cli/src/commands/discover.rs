@@ -123,7 +123,7 @@ impl QuestionCommand for Discover {
 
 const SOURCE_WIDTH: usize = 100;
 
-/// Returns the summary, followed by all claims in one piece.
+/// Returns the summary, followed by a paragraph with all claims.
 fn text(found: &Discovered) -> String {
     let report = &found.report;
     let numbers = numbers(found).rows.into_iter().skip(1);

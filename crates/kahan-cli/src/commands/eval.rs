@@ -113,7 +113,7 @@ fn lines_of(label: &str, value: &Value) -> Vec<String> {
     }
 }
 
-/// Returns a matrix beside its label, or below the label if the line would be too long.
+/// Returns a matrix beside its label, or below the label if it does not fit beside it.
 fn beside_or_below(label: &str, rows: &[Vec<String>], labels: usize) -> Vec<String> {
     let length = |text: &str| text.chars().count();
     let room = screen_width().saturating_sub(labels + 2);

@@ -82,7 +82,7 @@ impl QuestionCommand for Heights {
     }
 }
 
-/// Returns rows of heights, each with the step and the digits of the longest fraction.
+/// Returns rows of heights. Each has the step and the number of digits of the longest fraction.
 fn rows(found: &HeightsFound, steps: Vec<usize>, name: fn(&String) -> String) -> Rows {
     let row = |step: usize| {
         let heights = &found.survey.heights[step];
@@ -136,7 +136,7 @@ fn complaint(found: &HeightsFound) -> Option<String> {
     })
 }
 
-/// Chooses the rows to print: all rows of a short table, ever fewer of a long one.
+/// Chooses the rows to print: all rows of a short table, ever sparser rows of a long one.
 fn shown_rows(count: usize) -> Vec<usize> {
     const ALL: usize = 26;
     if count <= ALL {

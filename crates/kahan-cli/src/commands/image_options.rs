@@ -54,7 +54,7 @@ impl ImageOptions {
         line.with_changed_options::<Self>(&said)
     }
 
-    /// Returns the canvas. Without --size, `usual` gives the size; paper is one column wide.
+    /// Returns the canvas. Without --size it is one column wide for --paper, and otherwise `usual`.
     pub(super) fn sheet(&self, mut usual: Canvas) -> Canvas {
         let theme = if self.paper { Theme::Paper } else { self.theme };
         match self.size {

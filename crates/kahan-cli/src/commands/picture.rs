@@ -130,7 +130,6 @@ pub(crate) struct Picture {
     json: bool,
 }
 
-/// The template of the help, with arguments and options in one list.
 const HELP_TEMPLATE: &str =
     "{about-with-newline}{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
 

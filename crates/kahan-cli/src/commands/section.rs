@@ -122,7 +122,7 @@ impl QuestionCommand for Section {
         Ok((study, asked))
     }
 
-    /// Writes the crossings. Returns notes as the answer.
+    /// Writes the crossings. Returns an answer that consists of notes.
     fn run(&self) -> Result<Answer, UsageError> {
         let (study, asked) = self.read_question()?;
         if self.json && self.out.is_none() {
@@ -146,8 +146,8 @@ impl QuestionCommand for Section {
     }
 }
 
-/// Returns the formula of a section and its direction. For maxima of a variable, the formula is its
-/// derivative.
+/// Returns the formula of a section, and the direction of the crossings. For maxima of a variable,
+/// the formula is the derivative of the variable.
 pub(super) fn section(
     study: &Study,
     plane: Option<&str>,

@@ -141,7 +141,7 @@ impl QuestionCommand for Trade {
 impl Trade {
     fn question_of(&self, block: &Block) -> Result<(Study, Question), UsageError> {
         let study = self.source.study_of_block(block, self.at.as_deref())?;
-        // Claims are proved first, so that a false claim is reported before a missing number.
+        // Claims are proved first, so a false claim is reported before a missing parameter value.
         study.proved()?;
         let asked = Question {
             at: point(self.at.as_deref(), &study)?,
@@ -153,7 +153,7 @@ impl Trade {
         Ok((study, asked))
     }
 
-    /// Returns the command that makes the chosen orbit; `None` if `kahan orbit` has no such steps.
+    /// Returns the command that makes the chosen orbit; `None` if `kahan orbit` cannot make it.
     fn orbit(&self, traded: &Traded, block: &Block) -> Option<CommandLine> {
         let setting = &traded.choice()?.setting;
         let scheme = setting.scheme();
@@ -172,7 +172,7 @@ impl Trade {
     }
 }
 
-/// The number of steps above which a rounded ε shows as a linear drift.
+/// In a run of more steps, a rounded ε causes a visible linear drift.
 const LONG_RUN: u64 = 100_000;
 
 fn size(value: f64) -> String {

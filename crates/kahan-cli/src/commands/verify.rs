@@ -1,4 +1,4 @@
-//! The command `kahan verify`, which proves the formulas of the paper, or the claims of a field.
+//! The command `kahan verify`, which checks the formulas of the paper, or the claims of a field.
 
 use clap::Args;
 use kahan_study::{Mutations, Study, Verified, Verify as Question};

@@ -1,4 +1,6 @@
 //! Removes unfinished files on SIGINT and SIGTERM, and ends the process with status 130 or 143.
+//!
+//! Only Unix has these signals. Other operating systems leave unfinished files behind.
 
 use std::io;
 use std::path::PathBuf;
@@ -11,12 +13,12 @@ static UNFINISHED_FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// An entry in the list of unfinished files. Dropping the entry removes it from the list.
 pub(super) struct UnfinishedFile(PathBuf);
 
-/// Creates a temporary file that is removed on a signal.
+/// Creates a temporary file that SIGINT and SIGTERM remove on Unix.
 pub(super) fn unfinished(
     make: impl FnOnce() -> io::Result<NamedTempFile>,
 ) -> io::Result<(NamedTempFile, UnfinishedFile)> {
     listen()?;
-    // Under the lock, a signal waits until the new file is in the list.
+    // While the lock is held, a signal waits. It then finds the new file in the list.
     let mut list = UNFINISHED_FILES.lock().unwrap_or_else(PoisonError::into_inner);
     let file = make()?;
     list.push(file.path().to_path_buf());
@@ -48,7 +50,7 @@ fn listen() -> io::Result<()> {
             // The lock is held until the process ends, so that no new file is made.
             let list = UNFINISHED_FILES.lock().unwrap_or_else(PoisonError::into_inner);
             for path in list.iter() {
-                // A file that was just renamed no longer exists under this name.
+                // A file that was just renamed no longer has this name, so errors are ignored.
                 let _ = std::fs::remove_file(path);
             }
             std::process::exit(128 + signal);

@@ -14,7 +14,7 @@ use kahan_algebra::render::{columns, lines, widths};
 use kahan_draw::document::Rows;
 
 const USUAL_WIDTH: usize = 80;
-/// Narrower terminals are treated as this wide.
+/// Terminals that are narrower are treated as if they had this width.
 const LEAST_WIDTH: usize = 20;
 
 pub(crate) fn screen_width() -> usize {
@@ -96,10 +96,10 @@ pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> Strin
     below_each_other(groups).join("\n") + "\n"
 }
 
-/// Cells wider than this are taken for sentences, which may be broken.
+/// Cells wider than this are regarded as sentences, which may be broken into lines.
 const SENTENCE_WIDTH: usize = 24;
 
-/// Returns the width of each column if its heading has one word on each line.
+/// Returns the width that each column needs if its heading has one word on each line.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let heading = heading.iter().enumerate();
@@ -107,7 +107,7 @@ fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
 }
 
 /// Narrows the widest columns until the total is `width`. A column stays at least as wide as its
-/// longest word and its entry of `least`. Returns `None` if the columns stay too wide.
+/// longest word and as its entry in `least`. Returns `None` if the columns stay too wide.
 fn narrowed_widths(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
     let least: Vec<usize> =

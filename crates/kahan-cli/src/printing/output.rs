@@ -31,7 +31,7 @@ impl Answer {
         Answer { text, breaks: true, complaint: None, status: 0 }
     }
 
-    /// Returns an answer without output, for another program that ended with this exit status.
+    /// Returns an empty answer, after another program has printed one and ended with this status.
     pub(crate) fn silent(status: u8) -> Self {
         Answer { status, ..Answer::verbatim(String::new()) }
     }
@@ -50,7 +50,7 @@ impl Answer {
         if as_json { Answer::json(found) } else { Answer::text(text(found)) }
     }
 
-    /// Adds a possible complaint. A complaint makes the exit status 1.
+    /// Adds a complaint, if there is one. The exit status is then 1.
     pub(crate) fn with_complaint(self, complaint: Option<String>) -> Self {
         let status = u8::from(complaint.is_some());
         Answer { complaint, status, ..self }

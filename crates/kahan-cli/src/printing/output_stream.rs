@@ -1,6 +1,7 @@
 //! Destinations of long output: standard output, or a file that appears whole or not at all.
 //!
-//! A file gets its name when it is complete. Unfinished files are removed, also after a signal.
+//! A file gets its name when it is complete. Unfinished files are removed after errors and, on
+//! Unix, after SIGINT and SIGTERM. Other signals leave a temporary file `.kahan-….tmp` behind.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, ErrorKind, Seek, SeekFrom, Stdout, Write};
@@ -36,7 +37,7 @@ impl From<WriteError> for UsageError {
     }
 }
 
-/// The time since the last flush after which a write flushes again.
+/// A write also flushes the output if the last flush was this long ago.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(100);
 
 impl OutputStream {
@@ -44,12 +45,12 @@ impl OutputStream {
         OutputStream(Destination::Standard { writer: BufWriter::new(io::stdout()), flushed: Instant::now() })
     }
 
-    /// Opens a file, which appears on [`finish`](Self::finish). Refusals mention `option`.
+    /// Opens a file, which appears on [`finish`](Self::finish). Error messages name the option.
     pub(crate) fn file(path: &Path, option: &str) -> Result<Self, UsageError> {
         let refused = |reason: &str| {
             UsageError::new(format!("{option}: cannot write the file {}: {reason}", path.display()))
         };
-        // A link is kept, and its target is replaced. Devices and directories are never replaced.
+        // A symbolic link is kept, and its target is replaced, but never a device or a directory.
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),
@@ -114,7 +115,7 @@ impl OutputStream {
         Ok(self.finish()?)
     }
 
-    /// Writes buffered output. A file then appears under its name.
+    /// Writes buffered output. An output file then gets its final name.
     pub(crate) fn finish(mut self) -> Result<(), WriteError> {
         let flushed =
             if let Destination::Standard { writer, .. } = &mut self.0 { writer.flush() } else { Ok(()) };
@@ -147,7 +148,7 @@ fn cannot_write(place: &str, error: &io::Error) -> WriteError {
     WriteError::Failed(format!("cannot write {place}: {error}"))
 }
 
-/// Makes a temporary file with the usual permissions; by default, only the user could read it.
+/// Makes a temporary file with the user's usual permissions, which are wider than the default.
 fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".kahan-").suffix(".tmp");

@@ -14,7 +14,6 @@ use kahan_runtime::threads;
 pub(crate) struct ProgressDisplay {
     bar: ProgressBar,
     since: Instant,
-    /// The time at which the work must stop.
     end: Option<Instant>,
     done: AtomicU64,
 }
@@ -35,7 +34,7 @@ impl ProgressDisplay {
         Self::showing(in_file || !stdout().is_terminal(), || bar(steps, "steps"))
     }
 
-    /// Makes a spinner, for work in stages with an unknown end.
+    /// Makes a spinner, for work whose number of steps is unknown.
     pub(crate) fn stages() -> Self {
         Self::showing(true, || {
             let spinner = ProgressBar::new_spinner();
@@ -50,7 +49,7 @@ impl ProgressDisplay {
     }
 
     pub(crate) fn within(self, seconds: f64) -> Self {
-        // A limit of about a century is never reached, and fits every clock.
+        // A limit of about a century is never reached, and its end can be represented as a time.
         let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
         ProgressDisplay { end: Some(self.since + allowed), ..self }
     }

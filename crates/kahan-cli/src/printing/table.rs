@@ -87,7 +87,7 @@ impl Table {
         self.broken.take().map_or(Ok(()), Err)
     }
 
-    /// Writes the members after the rows, and closes the output stream.
+    /// Writes the members `behind`, which follow the rows, and closes the output stream.
     pub(crate) fn end(mut self, behind: &Map<String, Value>) -> Result<(), WriteError> {
         if self.format == Format::Json {
             self.sink.write("\n  ]")?;

@@ -18,7 +18,7 @@ use super::rust_file::{RustBlock, blocks};
 use crate::printing::{UsageError, joined};
 
 thread_local! {
-    /// The last block that was read, because a command reads its field twice.
+    /// The last block that was read. A command reads its field twice, and reuses the block.
     static LAST_BLOCK: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
@@ -44,7 +44,7 @@ impl Block {
         Block::new(None, text, origin)
     }
 
-    /// Takes the first call of `kahan!` in a text; without a call, takes the whole text.
+    /// Makes a block from the first call of `kahan!` in a text, or else from the whole text.
     fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
         let body = blocks(&text).into_iter().next().map_or(0..text.len(), |block| block.range);
         Block { entry, ..Block::within(text, body, origin) }
@@ -102,7 +102,7 @@ impl Block {
         [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
     }
 
-    /// Returns notes on how the text was read, and on values that no option overrides.
+    /// Returns notes on how the text was read, and on values in it that no option replaces.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let is_noted = |name: &str| {
             let named = format!("`{name}` with the value");
@@ -156,7 +156,7 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), UsageError> {
     }))
 }
 
-/// Returns the range of a field: the whole text, or the call of `kahan!` that `wanted` selects.
+/// Returns the range of the field in a text: all, or the call of `kahan!` that `wanted` selects.
 pub(super) fn select_block(
     text: &str,
     origin: &str,

@@ -118,7 +118,7 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Usag
         let rows = values.chunks_exact(names.len());
         values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
-    // A single array may be a list or a column. The last of several states is used.
+    // A single array may be a list or a column. Of several states in a file, the last is used.
     let mut state = vec![sites, arrays.len()];
     let mut found = &sizes[..];
     if arrays.len() == 1 {

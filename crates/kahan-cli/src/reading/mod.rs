@@ -17,5 +17,5 @@ pub(crate) use source::{ONE_WORD, Source, Start, StepLength, Stepping, Transient
 pub(crate) use study::option;
 pub(crate) use values::{axis, named, number, observable, one_of, order, over, scalar, seconds, whole};
 
-/// The largest number of steps of an observed orbit, because a double counts the steps.
+/// The largest number of steps of an observed orbit, because an `f64` counts the steps.
 pub(crate) const MOST_OBSERVED: u64 = 1 << 53;

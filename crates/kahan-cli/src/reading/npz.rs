@@ -104,7 +104,7 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
     format!("has names that variables cannot have: {}", joined(said, "; "))
 }
 
-/// Takes an array from the files: a dense one from one file, a sparse one from three.
+/// Takes an array out of `files`. A dense array is one file, and a sparse array is three.
 fn part(files: &mut Files, name: &'static str) -> Result<Option<ArrayPart>, String> {
     let mut numbers = |name: &str| {
         let read = |file: Vec<u8>| {

@@ -16,7 +16,7 @@ pub(crate) fn is_number_file(text: &str) -> bool {
     ending.is_some_and(|ending| ending == "npy" || ending == "csv")
 }
 
-/// Reads a file of numbers. Refusals mention `option`.
+/// Reads a file of numbers. Error messages name the option `option`.
 pub(super) fn read<V: FileNumber>(path: &str, option: &str) -> Result<Numbers<V>, UsageError> {
     let refused = |why: String| UsageError::new(format!("{option}: cannot read the file {path}: {why}"));
     let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;

@@ -80,7 +80,7 @@ fn closes(kind: TokenKind) -> bool {
     matches!(kind, TokenKind::CloseBrace | TokenKind::CloseParen | TokenKind::CloseBracket)
 }
 
-/// Returns the number of tokens before the closing bracket, or of all tokens if it is missing.
+/// Returns the number of tokens before the closing bracket, or of all tokens if no bracket closes.
 fn length_inside(pieces: &[Piece<'_>]) -> usize {
     let mut depth = 1;
     let is_last = |piece: &Piece<'_>| {

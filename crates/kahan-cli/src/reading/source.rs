@@ -195,7 +195,7 @@ impl Source {
         self
     }
 
-    /// Returns the requested lift. The start and the parameter values guide the choice.
+    /// Returns the requested lift. The choice depends on the initial point and the parameters.
     pub(super) fn lifting(
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,
@@ -226,7 +226,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses a value or a `step` for a quantity that is on one of the `axes`.
+    /// Refuses a value, or a `step` for ε, if the quantity is on one of the `axes`.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), UsageError> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =

@@ -13,12 +13,13 @@ impl Source {
         self.study_at(None)
     }
 
-    /// Returns the field with the given parameters. A lift is chosen along the orbit of `at`.
+    /// Returns the field with the given parameters. A lift is chosen along the orbit of the point
+    /// `at`.
     pub(crate) fn study_at(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.study_of(self.subject()?, at, &[])
     }
 
-    /// Returns the field as `study_at` does; reports false claims before missing numbers.
+    /// Returns the field as `study_at` does; reports false claims before missing parameter values.
     pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.proved_over(at, &[])
     }
@@ -35,7 +36,7 @@ impl Source {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
-    /// Returns the field for display. If no start is given, chooses the lift along some orbit.
+    /// Returns the field for display. Without an initial point, chooses the lift along some orbit.
     pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }
@@ -74,7 +75,7 @@ impl Start {
         Ok((study, starts, self.step.half()?.ok_or(StudyError::MissingStep)?))
     }
 
-    /// Returns the field, the only start, and ε. Refuses values of quantities on the `axes`.
+    /// Returns the field, the initial point, and ε. Refuses options that fix a quantity on an axis.
     pub(crate) fn study_over(
         &self,
         axes: &[Axis],
@@ -83,7 +84,8 @@ impl Start {
         Ok((study, single_point(starts, self.at.as_deref())?, eps))
     }
 
-    /// Returns the field, all starts, and ε. Refuses values of quantities on the `axes`.
+    /// Returns the field, the initial points, and ε. Refuses options that fix a quantity on an
+    /// axis.
     pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), UsageError> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;

@@ -14,7 +14,7 @@ pub(crate) fn number(text: &str, what: &str) -> Result<Rational, UsageError> {
     numbers::number(text).map_err(|why| UsageError::new(format!("{what}: {why}")))
 }
 
-/// Splits NAME=VALUE. The refusal of another form shows `example`.
+/// Splits NAME=VALUE. If the text has another form, the refusal shows `example`.
 pub(crate) fn named<'a>(
     given: &'a str,
     option: &str,

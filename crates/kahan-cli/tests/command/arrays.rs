@@ -41,7 +41,6 @@ impl Npz {
         self.with(name, &format!("<U{length}"), shape, data)
     }
 
-    /// Writes the file, compressed or not, and runs a command on it.
     fn run<R>(&self, is_packed: bool, command: impl Fn(&str) -> R) -> R {
         let mut archive = ZipArchiveWriter::new(Vec::new());
         for (name, file) in &self.files {

@@ -58,7 +58,6 @@ fn are_proposed_by_a_scan() {
     let found = &object(&[&arguments[..], &["--json"]].concat())["relations"][0];
     assert_eq!((&found["relation"], &found["points"]), (&json!("c = -a - b"), &json!(7)));
     assert_eq!((&found["claims"], &found["proved"]), (&json!([claim]), &json!(true)));
-    // A relation without a proved claim is reported as observed.
     let field = "xdot = x*(1 - y); ydot = y*(x - 1) + a*x^2;";
     let page = answer(&["scan", "--field", field, "--param", "a=-4:4:+1", "--eps", "-4:4:+1"]);
     let seen = "when eps = 1: all 9 points of the grid there are special, with no integral; only seen, nothing is proved";

@@ -17,7 +17,6 @@ fn texts(value: &Value) -> Vec<String> {
     all.map(|text| text.as_str().expect("a text").to_owned()).collect()
 }
 
-/// Reads a block with added lines, and proves its claims.
 fn reading(field: &str, lines: &[String]) -> Checked {
     let reading = read(&lexer::lex(&format!("{field} {}", lines.join(" "))).tokens);
     assert!(reading.diagnostics().is_empty(), "{field} {lines:?}: {:?}", reading.diagnostics());
@@ -136,7 +135,7 @@ fn what_is_fixed_is_kept_apart_from_what_is_generic() {
     assert_eq!(found["hilbert"], json!([4, 8, 12, 16]));
 }
 
-/// Integrals that would fill a page are not claimed, such as those of Clebsch's system.
+/// Integrals whose formulas fill a page are not claimed, such as those of Clebsch's system.
 #[test]
 fn the_further_systems_claim_as_many_integrals_as_are_found() {
     for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {
@@ -145,7 +144,6 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
             let generic = claims.iter().filter(|claim| claim.is_unconditional());
             generic.filter(|claim| format!("{:?}", claim.kind).eq_ignore_ascii_case(kind)).count()
         };
-        // With a fixed degree, the search ends early.
         let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);

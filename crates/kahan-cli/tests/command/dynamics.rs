@@ -41,7 +41,7 @@ fn linear_fields_have_the_exponents_of_their_multipliers() {
         object(&["dynamics", "--field", field, "--eps", "0.1", "--at", "1,1", "--steps", "4000", "--json"]);
     let exact = |rate: f64| ((1.0 + eps * rate) / (1.0 - eps * rate)).ln() / (2.0 * eps);
     let [first, second] = [0, 1].map(|k| number(&found["spectrum"][k]));
-    // The choice of the first vectors changes the exponents by O(1/t).
+    // The choice of the initial tangent vectors changes the exponents by O(1/t).
     assert!((first - exact(fast)).abs() < 2e-3 && (second - exact(slow)).abs() < 2e-3, "{first} {second}");
     let sum = exact(fast) + exact(slow);
     assert!((number(&found["mean_log_det"]) - sum).abs() < 1e-12 && (first + second - sum).abs() < 1e-12);
@@ -181,7 +181,7 @@ fn sections_are_where_the_formula_vanishes() {
     assert_eq!(answer(&first).lines().count(), 3);
 }
 
-/// Each row begins with the start and with the values on the axes of its orbit.
+/// Each row begins with the number of its initial point, and with the values on the axes.
 #[test]
 fn sections_of_many_orbits_are_one_table() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -11,7 +11,7 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
     let cells = object["cells"].as_array().expect("a list");
-    // Each of seven regimes has seven cells. Large steps add three cells for lu.
+    // For each of seven regimes there are seven cells. For large steps, elimination adds three.
     assert_eq!(cells.len(), 7 * 7 + 3);
     let of_lu = |cell: &&Value| cell["tier"] == "lu";
     assert!(cells.iter().filter(of_lu).all(|cell| cell["regime"] == "large steps"));
@@ -74,8 +74,8 @@ fn every_field_of_odd_temper_is_judged() {
     let cells = object["cells"].as_array().expect("a list");
     let stable = cells.iter().filter(|cell| cell["tier"] == "stable");
     let judged: u64 = stable.map(|cell| cell["trials"].as_u64().expect("a count")).sum();
-    // In three scalars, each field has 24 special inputs besides its trials. The twentieth field
-    // has ten times as many trials.
+    // For each of three number types, a field has 24 special inputs besides its trials. The
+    // twentieth field has ten times as many trials.
     assert_eq!(judged, 3 * (8 + 24 + 19 * (4 + 24) + (40 + 24)));
     let broken = object["broken"].as_array().expect("a list");
     assert_eq!(output.status.code(), Some(i32::from(!broken.is_empty())));

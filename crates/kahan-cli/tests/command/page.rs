@@ -198,7 +198,6 @@ fn the_lift_of_a_page_is_chosen_along_an_orbit() {
     let neuron = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
     let shown = page(folder.path(), &["--field", neuron, "--lift", "--seconds", "0.5"]);
     assert!(shown.contains("decays at the rate -1."), "{shown}");
-    // The orbit of a given point determines the lift.
     let given = page(folder.path(), &["--field", neuron, "--lift", "--at", "2,1/2", "--seconds", "0.5"]);
     assert!(given.contains("the orbit from (2, 1/2)") && given.contains("v(0) = 2; w(0) = 1/2;"), "{given}");
     let plain = page(folder.path(), &["--field", "xdot = 1/4 - x^2;", "--lift", "--seconds", "0.5"]);

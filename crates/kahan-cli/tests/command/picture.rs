@@ -12,7 +12,6 @@ use crate::painting::painted;
 use crate::running::examples_run;
 use crate::running::{answer, kahan, object, refusal, text};
 
-/// Returns the file drawn with these arguments of `kahan picture`.
 fn drawn(arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("picture.svg");
@@ -21,7 +20,6 @@ fn drawn(arguments: &[&str]) -> String {
     fs::read_to_string(file).expect("the picture")
 }
 
-/// Returns the JSON description of a picture.
 fn described(arguments: &[&str]) -> Value {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("picture.svg");
@@ -50,7 +48,7 @@ fn words(svg: &str) -> Vec<String> {
     svg.split("<text").skip(1).map(shown).collect()
 }
 
-/// A diagram of a flow shows crossings, which may be maxima of a variable.
+/// The section of a diagram may be a plane, or the maxima of a variable.
 #[test]
 fn a_diagram_shows_crossings_over_a_parameter() {
     let rossler = "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);";

@@ -48,7 +48,6 @@ fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
     };
     let (whole, shown) = golden_and_shown("e3");
     assert_eq!(shown, whole);
-    // The other golden files are the first golden file with some parts left out.
     for name in ["parameters", "anonymous"] {
         let (part, shown) = golden_and_shown(name);
         let mut lines = shown.lines();
@@ -76,7 +75,7 @@ fn commands() -> Vec<String> {
 fn the_help_of_every_command_fits_a_screen() {
     for command in commands().iter().map(|name| Some(&**name)).chain([None]) {
         let help = answer(&[command.as_slice(), &["--help"]].concat());
-        // The list of commands is longer than other help, but as narrow as the narrowest terminal.
+        // The list of commands is longer than other help, and must fit a terminal of 80 columns.
         let (lines, width) = if command.is_some() { (40, 100) } else { (50, 80) };
         assert!(help.lines().count() <= lines, "{help}");
         assert!(help.lines().all(|line| line.chars().count() <= width), "{help}");

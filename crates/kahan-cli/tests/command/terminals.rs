@@ -4,7 +4,7 @@ use crate::running::{answer, kahan, text};
 
 const WIDE: &str = "xdot = y*z; ydot = -x*z; zdot = x*y + u; udot = v*w; vdot = -u*w; wdot = 0*u; \
                     integral a_rather_long_name_of_an_integral = w^2;";
-/// A number of thirty digits; its images take more than a line.
+/// A number of thirty digits. Points that are computed from it take more than a line.
 const LONG: &str = "123456789012345678901234567891/7";
 
 fn tables() -> Vec<(Vec<String>, String)> {
@@ -53,7 +53,6 @@ fn is_formula(line: &str) -> bool {
 fn every_line_of_a_table_fits_80_columns_or_is_one_number() {
     for (arguments, page) in tables() {
         for line in page.lines() {
-            // A cell is a number, possibly with the brackets and commas of a matrix.
             let cell = line.trim().trim_start_matches(['[', '(']).trim_end_matches([']', ')', ',']).trim();
             let fits = line.chars().count() <= 80 || !cell.contains(' ') || is_sentence(&arguments, line);
             let has_formulas = !["list", "eval", "heights"].contains(&arguments[0].as_str());
@@ -139,7 +138,7 @@ mod on_a_terminal {
         let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
         command.args(arguments).stdin(Stdio::null());
         let mut child = connect(&mut command, screen).spawn().expect("the command runs");
-        // The command holds a copy of the terminal, which would keep the terminal open.
+        // The command holds a copy of the terminal. Without `drop`, the terminal stays open.
         drop(command);
         let mut read = Vec::new();
         // On Linux, reading from a terminal without a writer ends with an error.

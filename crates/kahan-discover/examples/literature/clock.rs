@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use kahan_discover::{Finding, Watch};
 
-/// A watch that has a clock and uses all processors.
+/// An observer of the search that has a clock, and lets the search use all processors.
 pub(crate) struct Clock {
     begun: Instant,
     found: Mutex<Vec<(Duration, Finding)>>,

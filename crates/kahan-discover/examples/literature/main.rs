@@ -19,8 +19,8 @@ const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/literature/ca
 ///
 /// A case is a JSON object on a line of its own, with `name`, `source` and `field`. `params` fixes
 /// parameters. `known` holds the published facts: `independent_integrals` and `growth` must be
-/// equal, `densities` and `drifts` are least numbers, each of the `bracket_ranks` must occur, and
-/// `seconds` is the most time. `shortest` lists claims in their shortest known form: each is
+/// equal, `densities` and `drifts` are lower bounds, each of the `bracket_ranks` must occur, and
+/// `seconds` is the longest time. `shortest` lists claims in their shortest known form: each is
 /// proved, and at least as many claims of each kind must be found. `limit` names the reason why a
 /// known fact is out of reach. `comment` is for readers.
 ///

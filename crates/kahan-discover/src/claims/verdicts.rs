@@ -1,4 +1,4 @@
-//! Writes the conclusions of a search as sentences that state exactly what was shown.
+//! Writes the conclusions of a search as sentences.
 
 mod drifts;
 mod plane;
@@ -66,7 +66,7 @@ fn degrees(report: &Report) -> String {
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // In n dimensions, the search along orbits already gives the bound n − 1.
+    // Omits a bound that is no better than the bound n − 1 from the search along orbits.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }

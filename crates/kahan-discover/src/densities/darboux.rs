@@ -57,7 +57,7 @@ fn null_vectors(
     })
 }
 
-/// Returns the space of all P up to a degree with the cofactor det ∂x̃/∂x.
+/// Returns the space of all polynomials P up to a degree with P(φ(x)) = det(∂x̃/∂x) P(x).
 ///
 /// Returns `None` if the map φ is undefined at the sampled points, or if the deadline passes.
 pub fn measure_space(

@@ -8,7 +8,7 @@ use crate::densities::darboux::random_step;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// Finds the simplest product of powers of `factors` with the cofactor 1/det ∂x̃/∂x. The exponents
+/// Finds the simplest product P of powers of `factors` with P(x̃) = P(x)/det(∂x̃/∂x). The exponents
 /// have the given `signs`, and Σ |exponent|·degree equals `degree`. The product is tested at two
 /// random points modulo 2⁶¹ − 1, and the caller must prove it.
 pub(crate) fn product(
@@ -21,7 +21,7 @@ pub(crate) fn product(
     let symbols = searched.family().symbols();
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
     let modulus = Modulus::mersenne_61();
-    // For each of two points: each cofactor with its inverse, and the Jacobian determinant.
+    // For each of two points: P(x̃)/P(x) of each factor P with its inverse, and the Jacobian.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
         let sample = searched.sample(modulus, random)?;
@@ -50,8 +50,7 @@ pub(crate) fn product(
         let each = exponents.iter().zip(factors);
         each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
-    // If no factor contains a state at ε = 0, the density is constant there, so the flow preserves
-    // volume.
+    // Prefers a density that is constant at ε = 0, where the flow then preserves volume.
     let is_of_flow = |exponents: &Vec<i32>| {
         let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
         used.all(|(_, factor)| !symbols.has_state(&factor.substitute(symbols.epsilon(), &Rational::zero())))

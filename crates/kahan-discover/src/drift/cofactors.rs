@@ -20,8 +20,8 @@ const MOST_WORK: u64 = 2_000_000;
 pub(super) struct Cofactors {
     pub(super) components: Vec<Polynomial>,
     pub(super) factors: Vec<Polynomial>,
-    /// The degrees of the Jacobian determinant's factors. A last entry 1 is the degree of the
-    /// coordinate x₀, if x₀ is a factor.
+    /// The degrees of the Jacobian determinant's factors. If the homogeneous coordinate x₀ is a
+    /// factor, its degree 1 comes last.
     degrees: Vec<u32>,
     degree: u32,
 }
@@ -46,7 +46,7 @@ impl Cofactors {
         self.components.last().expect("a map has a denominator")
     }
 
-    /// Returns the possible cofactors of polynomials of one degree, as exponents of the factors.
+    /// Returns the possible cofactors of polynomials of this degree, as exponents of `factors`.
     pub(super) fn of_degree(&self, degree: u32) -> Vec<Vec<i32>> {
         exponents(&self.degrees, degree * (self.degree - 1), &[1])
     }

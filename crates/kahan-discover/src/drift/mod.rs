@@ -53,11 +53,11 @@ pub struct Drift {
     pub text: String,
     /// The claim as read from the text.
     pub claim: Claim,
-    /// The form of F at the next point.
+    /// The value of the drift at the next point, as a function of the drift.
     pub kind: DriftKind,
-    /// The numerator of F.
+    /// The numerator of the drift, a function of the states.
     pub numerator: Polynomial,
-    /// The denominator of F.
+    /// The denominator of the drift.
     pub denominator: Polynomial,
 }
 
@@ -232,7 +232,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs the invariant space of this form and its matrix M, and adds the drifts of M.
+    /// Reconstructs over ℚ the invariant space with this form of the basis, and adds its drifts.
     fn of_space(
         &mut self,
         monomials: &Monomials,

@@ -19,7 +19,7 @@ type Matrix = Vec<Vector>;
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// The value of F = P_w/P_v at the next point.
+/// The value of a function F at the next point, as a function of F.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum NextValue {
     /// The sum F + c with this c.
@@ -74,14 +74,14 @@ impl NextValue {
     }
 }
 
-/// A function F = P_above/P_below with its next value, where P_v = Σ vᵢPᵢ for a row vector v.
+/// A function F = P_above/P_below and its next value. A row vector v stands for P_v = Σ vᵢPᵢ.
 pub(super) struct FunctionWithNext {
     pub(super) above: Vector,
     pub(super) below: Vector,
     pub(super) next: NextValue,
 }
 
-/// Returns all drifts in the module's table. The variable `free` must not occur in M.
+/// Returns all drifts of M = `matrix` in the module's table. `free` must not occur in M.
 pub(super) fn drifts_of(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();

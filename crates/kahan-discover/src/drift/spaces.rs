@@ -18,8 +18,8 @@ type Pairs = Vec<Vec<u64>>;
 
 pub(super) struct Points {
     modulus: Modulus,
-    /// For each point: the monomials, the monomials of the image times a power of the denominator,
-    /// and the factors of cofactors.
+    /// For each point x: the monomials at x, the monomials at x̃ times a power of the map's
+    /// denominator, and the factors of the Jacobian determinant at x.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 
@@ -93,8 +93,8 @@ pub(super) struct InvariantSpace {
 }
 
 impl InvariantSpace {
-    /// Restricts the space to the monomials of `form`. Returns `None` if the basis has another
-    /// form.
+    /// Restricts the space to the monomials of `form`. Returns `None` if the reduced basis has
+    /// other leading monomials than `form`.
     pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
         let count = pairs.first()?.len() / 2;
         let wide = |pair: &Vec<u64>| {

@@ -39,7 +39,8 @@ impl AcceptedIntegrals<'_> {
         self.formulas.len() >= self.wanted
     }
 
-    /// Accepts P/Q if it is independent and proved. If P and Q are integrals, accepts both instead.
+    /// Accepts P/Q if it is proved, and independent of the accepted integrals. If P and Q are both
+    /// integrals, accepts P and Q instead.
     pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
         if denominator.as_constant().is_none()
             && self.step.as_ref().is_some_and(|step| step.keeps(self.searched, &denominator))
@@ -94,8 +95,8 @@ impl AcceptedIntegrals<'_> {
         }
     }
 
-    /// Returns P/Q if it is short. Otherwise returns the shortest quotient of elements P + cQ whose
-    /// limit at ε = 0 depends on the states.
+    /// Returns P/Q if it is short. Otherwise returns the shortest quotient of two elements P + cQ,
+    /// if this quotient depends on the states at ε = 0.
     fn shortest(
         &self,
         (numerator, denominator): &(Polynomial, Polynomial),
@@ -138,8 +139,9 @@ impl AcceptedIntegrals<'_> {
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of the accepted integrals in the coordinates of a level set. The list
-    /// is empty on a proper level set, where the integrals that define it are constant.
+    /// Returns the gradients of the accepted integrals in the coordinates of a level set. Returns
+    /// none if the level set is not the whole space, as the integrals that define it are constant
+    /// there.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

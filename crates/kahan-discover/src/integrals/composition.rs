@@ -14,7 +14,7 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::orbits::hilbert::{Hilbert, random_relations};
 
-/// The integrals that composed maps preserve.
+/// The integrals that the compositions of a map at different ε preserve.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CompositionIntegrals {
     /// The Hilbert function of a generic orbit of the composed map.
@@ -44,7 +44,7 @@ impl ModularStep for ComposedMap {
     }
 }
 
-/// Returns the integrals of a composed map modulo a prime, at random parameters and ε. The formulas
+/// Returns the integrals of the composition of a map at different ε, modulo a prime. The formulas
 /// use the ε of the whole composition.
 ///
 /// Returns `None` if the map is undefined or the deadline passes.

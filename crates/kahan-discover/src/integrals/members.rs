@@ -27,11 +27,11 @@ const MOST_WORK: u64 = 100_000_000;
 
 const WORK_OF_LOOK: u64 = 50_000;
 
-/// The number of parameter samples at which special elements are counted.
+/// The number of samples at which the elements P + cQ that factor or have lower degree are counted.
 const PARAMETER_SAMPLES: usize = 4;
 
-/// Finds the special elements whose coefficients are rational functions of the parameters and ε.
-/// Elements that are too expensive to reconstruct are missing.
+/// Finds elements P + cQ that factor, have lower degree or do not contain ε, where c is a rational
+/// function of the parameters and ε. Elements that are too expensive to reconstruct are missing.
 pub(crate) fn special_members(
     searched: &SearchField,
     numerator: &Polynomial,
@@ -67,7 +67,7 @@ pub(crate) fn special_members(
     members(searched, &monomials, pair)
 }
 
-/// Finds special elements, where `pair` returns P and Q at values of the unknowns.
+/// Finds the elements of [`special_members`], where `pair` returns P and Q at given unknowns.
 pub(crate) fn members(
     searched: &SearchField,
     monomials: &Monomials,
@@ -119,7 +119,7 @@ pub(crate) fn members(
     let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         special_elements(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
-    // Counts the elements of each kind at each sample. Elements with irrational c may be missing.
+    // Counts the elements of each kind at each sample. Some with irrational c may be missing.
     let mut kinds: Vec<(MemberProperties, Vec<usize>)> = Vec::new();
     for look in 0..PARAMETER_SAMPLES {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -184,8 +184,8 @@ fn special_elements(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // For one c the polynomial F = P + cQ lacks the term sᵈ, and ∇F is a solution. This root is
-    // removed.
+    // For one c the polynomial F = P + cQ lacks the highest power of s, and has the solution ∇F
+    // even if it does not factor. So this root is removed once.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;

@@ -126,7 +126,8 @@ impl AcceptedIntegrals<'_> {
         self.take(&spanned, chart, limits, random);
         for degree in 1..=limits.highest.max(HIGHEST_DEGREE) {
             self.offer_known(degree);
-            // The order of the variables determines which coefficients of the relations are simple.
+            // All orders of the variables are tried if this is cheap, because the order determines
+            // which coefficients of the relations are simple.
             let is_cheap = Monomials::count(map.dimension(), degree) <= MAX_MONOMIALS_FOR_ALL_ORDERS;
             let orders = if is_cheap { usize::MAX } else { limits.reach.orders };
             for leaf in chart.leaf.orders().take(orders) {
@@ -182,7 +183,8 @@ impl AcceptedIntegrals<'_> {
         bases
     }
 
-    /// Returns a basis of special elements P + cQ of a pencil, if at least two are found.
+    /// Returns elements P + cQ of a pencil that factor, have lower degree or do not contain ε, if
+    /// at least two are found.
     fn special_basis(
         &self,
         pencil: &Pencil,

@@ -13,8 +13,8 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
 use crate::modular::subspace::primitive_in_states;
 
-/// Removes factors of the denominator as often as possible. For this, a product of `factors` of
-/// known integrals is subtracted from a multiple of the numerator.
+/// Cancels factors of the denominator, one by one. For this, a multiple of a product of
+/// `factors`, which are factors of known integrals, is subtracted from a multiple of the numerator.
 pub(crate) fn reduced(
     searched: &SearchField,
     step: &SampledStep,
@@ -33,7 +33,8 @@ pub(crate) fn reduced(
     (numerator, denominator)
 }
 
-/// Returns (αP − βM)/q and Q/q, where q is a factor of Q and M a product of known factors.
+/// Subtracts a multiple of a product of `factors` from a multiple of the numerator, so that a
+/// factor q of the denominator divides the difference. Returns both sides divided by q.
 fn without_factor(
     searched: &SearchField,
     step: &SampledStep,
@@ -94,7 +95,8 @@ fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
     common.scale(&polynomial.content().checked_div(&common.content()).unwrap_or_else(Rational::one))
 }
 
-/// Returns products of factors with the denominator's cofactor and at most the numerator's degree.
+/// Returns the products of `factors` with the cofactor P(x̃)/P(x) of the denominator P, and at most
+/// the degree of the numerator.
 fn products(
     searched: &SearchField,
     step: &SampledStep,

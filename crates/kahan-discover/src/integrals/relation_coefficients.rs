@@ -50,8 +50,6 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
     let invariant = of_sign(0);
     let widest = places.iter().map(|&place| of_sign(sign_of(place)).len()).max().unwrap_or(0);
     let width = invariant.len() + widest;
-    // If no monomial of this degree has a suitable sign, the search of lower degrees was
-    // sufficient.
     let is_new = (unknown.up_to(degree - 1)..unknown.len())
         .any(|index| signs[index] == 0 || places.iter().any(|&place| sign_of(place) == signs[index]));
     if width > reach.coefficients || !is_new {

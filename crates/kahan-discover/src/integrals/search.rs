@@ -61,8 +61,8 @@ pub fn spanned_pencils<M: ModularStep>(
 
 /// Finds [`Pencil`]s of exactly this degree in which coefficients of relations are quotients P/Q.
 ///
-/// The integrals are independent of the functions whose gradients at a point `known` returns. The
-/// list is empty if the deadline passes. For P and Q with N monomials each, the search needs 2N
+/// The integrals are independent of known functions, whose gradients at a point `known` returns.
+/// The list is empty if the deadline passes. For P and Q with N monomials each, the search needs 2N
 /// orbits, and (2N)³ multiplications for each coefficient of a relation.
 pub fn pencils_of_entries<M: ModularStep>(
     map: &M,
@@ -97,7 +97,7 @@ impl<'a, M: ModularStep> Search<'a, M> {
         Echelon::of(self.map.modulus(), self.gradients.clone(), self.map.dimension()).rank()
     }
 
-    /// Accepts a pencil with an integral that is independent of the accepted integrals.
+    /// Accepts a pencil if it has an integral that is independent of the accepted integrals.
     pub(crate) fn offer(&mut self, pencil: Pencil) {
         let before = self.rank();
         let known = self.gradients.len();
@@ -111,7 +111,7 @@ impl<'a, M: ModularStep> Search<'a, M> {
     }
 }
 
-/// Returns the gradients of the quotients of all elements by the first element, up to factors.
+/// Returns the gradients of P₁/P₀, P₂/P₀, … for the elements P₀, P₁, … of a space, up to factors.
 #[must_use]
 pub fn quotient_gradients(
     modulus: &Modulus,
@@ -138,8 +138,8 @@ pub fn quotient_gradients(
     others.iter().map(quotient).collect()
 }
 
-/// Returns the span of the relations of all orbits. Returns `None` unless the relations of one
-/// orbit have one dimension less.
+/// Returns the span of the relations of several orbits, if it has exactly one dimension more than
+/// the relations of one orbit.
 fn span_of_relations(
     map: &impl ModularStep,
     degree: u32,

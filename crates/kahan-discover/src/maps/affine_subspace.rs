@@ -23,11 +23,12 @@ use crate::modular::subspace::combination;
 use crate::modular::weights::Weights;
 use crate::orbits::hilbert::random_relations;
 
-/// The coordinates on an affine level set, and the varying coefficients of the linear relations.
+/// An affine level set: the states that are its coordinates, and the coefficients that vary between
+/// level sets in the linear relations that define it.
 #[derive(Clone, Debug)]
 pub struct AffineSubspace {
-    /// For each varying coefficient: the indices of its relation's leading monomial and of its own
-    /// monomial.
+    /// For each varying coefficient: the index of the leading monomial of its relation, and the
+    /// index of the monomial that the coefficient multiplies.
     places: Vec<(usize, usize)>,
     /// The states that serve as coordinates.
     order: Vec<usize>,
@@ -96,7 +97,7 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // An orbit on the level set of random coefficients must have relations with these
+        // The coefficients are independent if an orbit exists whose relations have random
         // coefficients.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
@@ -122,7 +123,7 @@ impl AffineSubspace {
         self.places.len()
     }
 
-    /// Returns the level sets with all rotations of the order of coordinates, in both directions.
+    /// Returns this subspace with all cyclic orders of its coordinates, also reversed.
     pub fn orders(&self) -> impl Iterator<Item = AffineSubspace> {
         let count = self.order.len();
         let rotated = move |shift: usize| (0..count).map(move |i| self.order[(i + shift) % count]);
@@ -138,8 +139,8 @@ impl AffineSubspace {
         &self.order
     }
 
-    /// Returns the map on the level set with these coefficients. Returns `None` if the linear
-    /// relations have other leading monomials there.
+    /// Returns the map on the level set with these coefficients. Returns `None` if the coordinates
+    /// do not determine the other states there.
     pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<MapOnSubspace> {
         let modulus = *map.modulus();
         let n = map.dimension();

@@ -15,8 +15,8 @@ const SUBSTITUTION_WORK: u64 = 20_000_000;
 pub struct Chart {
     /// The level set.
     pub leaf: AffineSubspace,
-    /// The formulas of the constants in their order. The last formula is that of a further
-    /// integral, if the level set is restricted to one of its values.
+    /// The formulas of the constants in their order. If the level set also lies on a level set of a
+    /// further integral, the formula of this integral comes last.
     pub coordinates: Vec<Coordinate>,
 }
 

@@ -107,8 +107,8 @@ impl ModularStep for ConstrainedMap<'_> {
 }
 
 impl AcceptedIntegrals<'_> {
-    /// Searches further integrals on the level sets of the first basis element divided by the
-    /// second.
+    /// Searches further integrals on the level sets of the quotient of the first two basis
+    /// elements.
     pub(crate) fn search_constrained(
         &mut self,
         basis: &[Polynomial],

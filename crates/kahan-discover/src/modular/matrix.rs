@@ -212,7 +212,6 @@ mod tests {
 
     use super::*;
 
-    /// Tests low ranks, zero columns, repeated rows, and more products than a sum holds.
     #[test]
     fn the_form_is_reduced_and_spans_the_same_rows() {
         let mut random = SplitMix64::new(3);

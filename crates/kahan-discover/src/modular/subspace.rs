@@ -62,7 +62,7 @@ impl PolynomialSpace {
     }
 
     /// Returns the span of vectors whose entries are coefficients of the monomials in
-    /// `form.support`. Returns `None` if the basis has another form.
+    /// `form.support`. Returns `None` if the reduced basis has other leading monomials than `form`.
     #[must_use]
     pub fn of_form(modulus: &Modulus, form: &Form, vectors: Vec<Vec<u64>>) -> Option<Self> {
         let echelon = Echelon::of(modulus, vectors, form.support.len());

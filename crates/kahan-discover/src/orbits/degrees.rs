@@ -69,7 +69,6 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
     degrees
 }
 
-/// Points on a random line, which the map moves together.
 struct RandomLine<'a> {
     map: &'a ModularMap,
     base: Vec<u64>,

@@ -108,8 +108,8 @@ impl Hilbert {
     }
 
     /// Follows one orbit up to a higher degree, and all four orbits if this orbit shows more
-    /// integrals. The rank on an orbit is at most the generic rank, so an orbit without new
-    /// integrals excludes them. Returns `None` as [`of`](Self::of) does.
+    /// integrals than `self`. The rank on an orbit is at most the generic rank, so an orbit without
+    /// new integrals excludes them. Returns `None` as [`of`](Self::of) does.
     pub fn further(
         &self,
         searched: &SearchField,

@@ -23,8 +23,8 @@ pub struct IntegralBound {
     pub parameters: Vec<u64>,
 }
 
-/// All primes are 3 modulo 4, so that square roots are powers. Small primes make more points zeros,
-/// and large primes make eigenvalues equal by chance less often.
+/// All primes are 3 modulo 4, so that square roots are powers. A random point is more often a zero
+/// modulo a small prime. Modulo a large prime, eigenvalues are less often equal by chance.
 const PRIMES: [u64; 6] = [1_000_003, 7, 31, 11, 103, 19];
 
 /// The most variables of a field. The eigenvalues cost n⁴ multiplications for n variables.

@@ -48,9 +48,9 @@ pub fn is_within_reach(n: usize) -> bool {
 
 /// Finds matrices K of a reduced basis with f = K∇H, each with its function H.
 ///
-/// f′(x)K must be symmetric for all x, which is linear in K. Then f = K∇H is linear in the
-/// coefficients of a cubic H. If no K of the basis has an H, the sum of the basis is tried. The
-/// result is empty if H has more than 400 coefficients, or if the field is zero.
+/// That f′(x)K is symmetric for all x is a linear condition on K. For each K, f = K∇H is a linear
+/// equation for the coefficients of a cubic H. If no K of the basis has an H, the sum of the basis
+/// is tried. The result is empty if H has more than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
     searched: &SearchField,
     random: &mut SplitMix64,

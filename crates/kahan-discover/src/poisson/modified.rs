@@ -18,7 +18,7 @@ use crate::report::ModifiedPlace;
 /// A compact form may replace a formula with more characters than this.
 const LONG_FORMULA: usize = 1000;
 
-/// A compact form may replace a formula that is at least this many times as long.
+/// A compact form may replace a formula that is at least this many times as long as the form.
 const FAR_SHORTER: usize = 4;
 
 pub(crate) struct Modified {
@@ -95,7 +95,7 @@ pub(crate) struct Gradients<'a> {
 
 impl Gradients<'_> {
     /// Chooses the form of each modified Hamiltonian. An independent one is reported on its own.
-    /// Another one may replace the longest formula that it implies, or is omitted.
+    /// Any other one replaces a much longer formula that it implies, or is omitted.
     pub(crate) fn places(
         &self,
         all: &[Modified],

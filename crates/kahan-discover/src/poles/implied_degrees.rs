@@ -9,8 +9,8 @@
 
 use super::jet::Image;
 
-/// Returns d₀, d₁, … for a map of this degree, as far as the images of the curves determine them.
-/// For each curve, `curves` has the degree and the images.
+/// Returns the degrees d₀, d₁, … of the iterates of a map of this degree, as far as `curves`
+/// determines them. Each entry holds the degree of a curve and its images.
 pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
     let steps = curves.iter().map(|(_, images)| images.len()).min()?;
     let mut degrees = vec![1usize];
@@ -27,8 +27,8 @@ pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec
     Some(degrees)
 }
 
-/// Returns Σ Zₘ(B) · `weight`(image of B after n − m steps) over all earlier steps m and curves B,
-/// where Zₘ(B) points first reach B at step m.
+/// Sums Zₘ(B) · `weight`(image of B after n − m steps) over all steps m < n and all curves B, where
+/// Zₘ(B) is the number of points that first reach B at step m.
 fn later(
     first_times: &[Vec<usize>],
     curves: &[(usize, &[Image])],

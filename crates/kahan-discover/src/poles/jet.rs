@@ -36,10 +36,10 @@ pub struct Image {
     pub dimension: usize,
     /// Whether the image lies at infinity.
     pub is_infinite: bool,
-    /// The power of δ that all homogeneous coordinates of the moved point shared after the last
-    /// step.
+    /// The power of δ that cancelled from the homogeneous coordinates in the last step, for a point
+    /// that starts at a distance of order δ from the curve.
     pub shared: usize,
-    /// The order in δ to which the image of the moved point meets each followed curve.
+    /// The order in δ at which each followed curve's polynomial vanishes at this point's image.
     pub contacts: Vec<usize>,
 }
 

@@ -79,7 +79,7 @@ impl Pattern {
 const SHORTEST: usize = 12;
 const LONGEST: usize = 200;
 
-/// The most samples of parameters, ε and a point of the curve. Some lines do not meet the curve.
+/// The most samples of a curve, because not every random line meets it.
 const MOST_SAMPLES: usize = 40;
 
 /// The fraction of the time limit that the degrees of iterates may take.
@@ -87,9 +87,9 @@ const FOR_DEGREES: f64 = 0.4;
 
 /// Follows curves that a system's map sends to infinity or contracts, for a number of steps.
 ///
-/// Of the options, fixed values and the limits on degrees and time have an effect. `watch` is told
-/// of every curve before the curve is followed. Equal fields and options give equal results, unless
-/// time runs out.
+/// Only the fixed values and the limits on degrees and time in `options` have an effect. `watch` is
+/// told of every curve before the curve is followed. Equal fields and options give equal results,
+/// unless time runs out.
 ///
 /// # Errors
 /// Returns an error if the field has no invertible map, or if the map is beyond the budget of

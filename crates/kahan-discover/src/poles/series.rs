@@ -5,7 +5,7 @@
 
 use crate::modular::modulus::Modulus;
 
-/// The series Σ cₖ δᵏ, with the derivatives of every coefficient cₖ.
+/// The series Σ cₖ δᵏ, with the derivatives of every coefficient cₖ along the curve.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
     pub(crate) rows: Vec<Vec<u64>>,

@@ -156,8 +156,8 @@ impl<'a> RelationProver<'a> {
             options.eps = Some(value.as_polynomial()?.as_constant()?);
             return Some((System { claims: Vec::new(), ..self.system.clone() }, options));
         }
-        // A relation that contains ε is rejected, since it may contain odd powers of ε where the
-        // field contains only even powers.
+        // Relations with ε are rejected: they could bring odd powers of ε into the field, which may
+        // contain only even powers.
         let is_free = !value.numerator().contains(symbols.epsilon())
             && !value.denominator().contains(symbols.epsilon());
         let system = is_free.then(|| self.system.on(&relations))??;

@@ -21,7 +21,7 @@ pub(super) struct Grid {
     pub(super) special: Vec<bool>,
 }
 
-/// A polynomial that vanishes at special points only.
+/// A polynomial that vanishes only at special points, where degrees or ranks are not generic.
 pub(super) struct VanishingPolynomial {
     /// The polynomial, whose variable with index k stands for the scanned parameter k.
     pub(super) polynomial: Polynomial,
@@ -31,8 +31,8 @@ pub(super) struct VanishingPolynomial {
 
 /// The number of zeros required beyond the number of coefficients of a polynomial.
 const SPARE_POINTS: usize = 2;
-/// The highest probability of an accidental polynomial: p^(zeros − coefficients), where p is the
-/// fraction of special points on the grid.
+/// Polynomials that vanish by accident with a higher probability than this are rejected. The
+/// probability is p^(zeros − coefficients), where p is the fraction of special points on the grid.
 const MAX_COINCIDENCE_PROBABILITY: f64 = 0.01;
 /// The number of random choices of points through which linear polynomials are tried.
 const POINT_CHOICES: usize = 3000;
@@ -117,7 +117,6 @@ impl<'a> Search<'a> {
         vector.entries[1..].iter().all(|entry| *entry != 0).then(|| vector.entries.clone())
     }
 
-    /// Returns the linear equations in 1 and these parameters that hold at all given points.
     fn affine(&self, names: &[usize], points: &[usize]) -> Echelon {
         let row = |&at: &usize| {
             let values = names.iter().map(|&name| self.residues[at][name]);
@@ -184,8 +183,8 @@ impl<'a> Search<'a> {
         value.to_string().split('/').all(is_small).then_some(value)
     }
 
-    /// Accepts a polynomial that vanishes at no generic point, and at enough special points at
-    /// which no earlier polynomial vanishes.
+    /// Accepts a polynomial if it vanishes at special points only, and at enough of them where no
+    /// earlier polynomial vanishes.
     fn admit(&mut self, polynomial: Polynomial, coefficients: usize) {
         let modulus = self.modulus;
         let terms: Vec<(Monomial, u64)> = polynomial

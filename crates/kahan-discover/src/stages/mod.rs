@@ -32,7 +32,7 @@ use kahan_algebra::system::{Claim, System};
 /// Finds the structures that the Kahan map of a system's field preserves. The claims of the system
 /// are ignored.
 ///
-/// `watch` is told of every stage as it begins, and of each proved claim. After relations of a
+/// `watch` is told of every stage as it begins, and of each proved claim. After a search up to a
 /// higher degree, a claim may be rewritten and reported again.
 ///
 /// Equal fields and options give equal results, unless time runs out. Without a given degree, the
@@ -93,7 +93,7 @@ pub(crate) fn discover_within(
     let usual = default_degree(searched.dimension());
     let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&searched, degree, random, &for_orbits);
-    // If time ran out, relations of a lower degree take far less time.
+    // If time ran out, orbits are followed again up to a lower degree, which takes far less time.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
         let lower = if degree > usual { usual } else { degree / 2 };
         hilbert = Hilbert::of(&searched, lower, random, &for_structure);

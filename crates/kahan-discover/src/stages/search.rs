@@ -17,8 +17,8 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, bracket_of_structure, br
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The fraction of the time that formulas get if compact forms or brackets make them less
-/// important.
+/// The fraction of the time for the search of formulas, if compact forms or brackets make formulas
+/// less important.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.

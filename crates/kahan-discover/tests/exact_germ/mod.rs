@@ -6,8 +6,8 @@ use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 
-/// Homogeneous coordinates of the moved point, as polynomials in δ. They are linear in the
-/// parameters of the curve.
+/// Homogeneous coordinates of a point that is moved by δ off a curve, as polynomials in δ. They are
+/// linear in the parameters of the curve.
 pub(crate) struct ExactGerm {
     map: Vec<Polynomial>,
     degree: u32,
@@ -103,7 +103,7 @@ impl ExactGerm {
         self.coordinates.iter().map(at_zero).collect()
     }
 
-    /// Returns the limit of the moved point at δ = 0, with 1 as the first nonzero coordinate.
+    /// Returns the limit for δ → 0 of the moved point, with 1 as the first nonzero coordinate.
     pub(crate) fn place(&self) -> Vec<Rational> {
         let values: Vec<Rational> = self.leading().into_iter().map(|row| row[0].clone()).collect();
         let unit = values.iter().find(|value| !value.is_zero()).expect("a projective point").clone();

@@ -83,7 +83,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["  of all".to_owned(), listing(&hilbert.full)]);
     }
     let structure = &report.structure;
-    // Integrals of higher degree were not searched, so an empty list would prove nothing.
+    // Integrals of higher degree were not searched, so an empty list is left out.
     let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
     if !of_flow.is_empty() {
         rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);

@@ -136,7 +136,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Writes a value to the decimals that its error leaves unchanged.
+/// Writes only those decimals of a value that an error of this size does not change.
 fn known_digits(value: f64, error: f64) -> String {
     let places = -libm::log10(error).floor();
     if !(value.is_finite() && (..=8.0).contains(&places)) {

@@ -6,7 +6,7 @@ use maud::{Markup, Render, html};
 /// heading.
 pub type Rows = Vec<Vec<String>>;
 
-/// A table of an answer. Text output omits the caption.
+/// A table that shows an answer or a part of it. Text output omits the caption.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     /// The caption.

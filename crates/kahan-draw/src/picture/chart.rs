@@ -15,7 +15,7 @@ pub struct Chart {
     pub axes: Vec<Axis>,
     /// The values, row by row from below. Empty cells are NaN.
     pub values: Vec<f64>,
-    /// The system, or the file that holds the values.
+    /// The name of the system, or of the file that holds the values.
     pub name: String,
     /// The name of the shown column.
     pub column: String,
@@ -23,8 +23,8 @@ pub struct Chart {
     pub is_logarithm: bool,
     /// Whether some values are lower bounds.
     pub is_lower_bound: bool,
-    /// For the orbit of each cell the kind of its end and the number of its steps. The list is
-    /// empty for rows of a file.
+    /// For each cell, how its orbit ended and after how many steps. The list is empty for rows of a
+    /// file.
     pub ended: Vec<(String, i64)>,
     steps: Option<u64>,
 }

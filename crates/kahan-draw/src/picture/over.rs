@@ -31,8 +31,8 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
     Picture::of(&Plot { description, sheet: look.sheet, x, y, series, note: String::new() })
 }
 
-/// Draws the first variable of a cycle against the parameter. Stable cycles have a style of their
-/// own. For cycles of the flow, only the extrema are drawn.
+/// Draws the first variable of a cycle against the parameter. The colour shows whether the cycle is
+/// stable. For cycles of the flow, only the greatest and the least value are drawn.
 #[must_use]
 pub fn branch(found: &CycleFound, look: &PictureOptions) -> Picture {
     let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));

@@ -23,7 +23,7 @@ pub enum Coordinate {
         text: String,
         /// The compiled formula.
         formula: Formula,
-        /// The index at which `t` is inserted into the arguments. `None` if a column holds `t`.
+        /// The index of `t` among the formula's arguments. `None` if `t` is one of the columns.
         time: Option<usize>,
     },
 }

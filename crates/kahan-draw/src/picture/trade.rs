@@ -7,7 +7,7 @@ use kahan_study::trade::{Measured, Traded};
 use super::{Picture, PictureOptions};
 use crate::plot::{Canvas, Mark, NumberLine, Plot, Series, TickKind};
 
-/// Returns the default canvas.
+/// Returns the default canvas of a picture by `trade`.
 #[must_use]
 pub fn trade_canvas() -> Canvas {
     Canvas::page(720, 480)

@@ -53,7 +53,7 @@ impl Drawing {
         let Canvas { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // Printers have fonts whose letters are as wide as those of Helvetica and Arial.
+        // Devices for print have a font whose letters are as wide as those of Helvetica and Arial.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
@@ -163,8 +163,8 @@ impl Canvas {
         Canvas { pixels, view_box: (scale * width, scale * height), theme }
     }
 
-    /// Makes the canvas of a drawing within a page. A file has one pixel for each unit of the view
-    /// box.
+    /// Makes the canvas of a drawing within a page. In a file, each unit of the view box is one
+    /// pixel.
     #[must_use]
     pub fn page(width: u32, height: u32) -> Self {
         Canvas {

@@ -35,7 +35,7 @@ pub(super) fn reach(words: &str, size: f64) -> f64 {
     (1.0 - USUAL / 2.0) * width(words, size)
 }
 
-/// Shrinks a label to the width `room`. Text that would become too small is shortened.
+/// Shrinks a label to the width `room`. If the text becomes too small, shortens it.
 pub(super) fn fit_to_width(words: &str, size: f64, room: f64) -> (String, f64) {
     let smaller = (size * (room / 2.0 / reach(words, size)).clamp(0.7, 1.0)).max(LEAST_FONT_SIZE);
     let mut shown = words.to_owned();
@@ -105,7 +105,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
             }
         };
     }
-    // Programs place the end of a label with several parts differently, so its start is placed.
+    // Programs disagree about the width of a label with several parts, so its start is given.
     let before = match anchor {
         "start" => 0.0,
         "middle" => 0.5,

@@ -99,7 +99,7 @@ impl NumberLine {
         libm::exp10(libm::log10(self.high - self.low).floor())
     }
 
-    /// Returns the number to subtract from values with equal leading digits, otherwise 0.
+    /// Returns the number that is subtracted from values with equal leading digits, else 0.
     fn offset(&self) -> f64 {
         const SHARED: f64 = 1e4;
         let unit = self.unit();
@@ -122,7 +122,7 @@ impl NumberLine {
     /// labels.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let unit = self.unit();
-        // Steps differ by factors of 2 or 2.5, so one of them gives four to seven ticks.
+        // Successive steps differ by a factor of 2 or 2.5, so some step gives four to seven ticks.
         let finer = |factors: &'static [f64]| {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };

@@ -176,7 +176,7 @@ mod tests {
                 assert!(contrast(one, paper) >= 4.5, "c{}", i + 1);
                 for (j, &other) in curves.iter().enumerate().skip(i + 1) {
                     for kind in KINDS {
-                        // The smallest visible distance is about 2.
+                        // People can distinguish two colours whose distance is about 2.
                         let apart = distance(simulated(one, kind), simulated(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }

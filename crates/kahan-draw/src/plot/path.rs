@@ -27,7 +27,7 @@ pub(super) fn rings(places: &[Place], radius: f64) -> String {
     places.iter().map(ring).collect()
 }
 
-/// The path of a dot. Some programs omit paths of length 0.
+/// The path of a dot. Its length is not 0, because some programs omit paths of length 0.
 const DOT_PATH: &str = "h.01";
 
 /// Returns the path of a line. Equal neighbours are merged, and a single position becomes a dot.
@@ -48,7 +48,7 @@ pub(super) fn polyline(places: &[Place]) -> String {
     path
 }
 
-/// The number of dots beyond which close dots are merged. More would take over a megabyte of SVG.
+/// The number of dots beyond which close dots are merged, to keep the SVG below a megabyte.
 const MOST_DOTS: usize = 100_000;
 
 /// Returns the path of a dot at each position. A dot is a short line with round ends, because

@@ -60,7 +60,6 @@ fn rotated([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 struct View {
-    /// The position of the middle of the box.
     centre: Place,
     middle: [f64; 3],
     stretch: [f64; 3],
@@ -118,7 +117,6 @@ impl View {
     }
 }
 
-/// Returns the largest width of a tick label.
 fn widest(axis: &NumberLine) -> f64 {
     let most = Cell::new(0.0_f64);
     axis.ticks(|ticks| {
@@ -135,7 +133,7 @@ fn width_in(layer: usize, middle: f64) -> f64 {
     middle * (AT_THE_BACK + 2.0 * (1.0 - AT_THE_BACK) * nearness)
 }
 
-/// Returns the vector from the middle to a corner. Set bits select the larger ends of axes.
+/// Returns the vector from the middle to a corner: bit i of `bits` selects an end of axis i.
 fn half_diagonal(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| lengths[i] * stretch[i] * if bits >> i & 1 == 1 { 0.5 } else { -0.5 })
 }
@@ -242,7 +240,6 @@ impl SpacePlot {
             let (named, (right, down)) = (self.axes[axis].name(), NAMES[axis]);
             let out = right + right.signum() * widest(&self.axes[axis]) / 2.0;
             let (x, y) = beside(axis, middle(axis), (out, down));
-            // A long name would overlap tick labels.
             let is_long = width(&named, LARGE_FONT_SIZE) > 2.0 * LARGE_FONT_SIZE;
             let room = if axis == 0 { [corner, across] } else { [0.0, corner] };
             name(

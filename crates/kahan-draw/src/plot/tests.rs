@@ -38,7 +38,6 @@ fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     assert!(path.contains("L466 "), "{path}");
 }
 
-/// Draws points at increasing distance from the eye.
 fn receding(mark: Mark) -> String {
     let axis = |label: &str| NumberLine::new(label, -1.0, 1.0);
     let points = (0..=200).map(|i| [0.0, f64::from(i) / 100.0 - 1.0, 0.0]).collect();
@@ -52,7 +51,6 @@ fn receding(mark: Mark) -> String {
     space.drawing().inline().into_string()
 }
 
-/// Returns the paths of a CSS class with their widths.
 fn shapes(svg: &str, class: &str) -> Vec<(String, f64)> {
     let opening = format!("class=\"{class}\" d=\"");
     let parts = svg.split(&opening).skip(1);
@@ -161,7 +159,6 @@ fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
 
 type Box = [f64; 4];
 
-/// Returns labels with their bounds in a wide font.
 fn words(svg: &str) -> Vec<(String, Box)> {
     let element = |part: &str| {
         let (attributes, rest) = part.split_once('>').expect("the end of a tag");

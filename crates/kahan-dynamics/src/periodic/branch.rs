@@ -54,7 +54,7 @@ pub struct Branch {
     /// The bifurcations within the range, in the order of the branch.
     pub turns: Vec<ChangePoint>,
     /// Whether the branch ended inside the range: at a pole, without convergence, where cycles
-    /// merge, after 20 times `steps` steps, or because `see` ended it.
+    /// merge, after 20 times as many steps as requested, or because the callback ended it.
     pub is_cut: bool,
 }
 
@@ -245,8 +245,8 @@ impl<M: Parametric, F: Fn(f64) -> M> CycleCurve<F> {
         place.rows(0, place.len() - 1).into_owned()
     }
 
-    /// Returns the derivative of the defect with respect to the points and, in the last column, to
-    /// the parameter.
+    /// Returns the derivative of all φ(xᵢ) − xᵢ₊₁ with respect to the points xᵢ and, in the last
+    /// column, to the parameter.
     fn slope(&self, place: &BranchPosition) -> Option<DMatrix<f64>> {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let slope = slope(&map, &cycle);
@@ -293,8 +293,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for CycleCurve<F> {
             square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm_solution(square, &gaps.push(0.0))?;
             if gaps.amax() <= RESIDUAL_TOLERANCE * next.amax().max(1.0) {
-                // Near a double multiplier 1 the cycle's error is about the square root of the
-                // defect, so one more step is made if it helps.
+                // Near a double multiplier 1 the cycle's error is about the square root of `gaps`,
+                // so one more step is made if it helps.
                 let is_nearer = gaps.amax() > NEGLIGIBLE_RESIDUAL
                     && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

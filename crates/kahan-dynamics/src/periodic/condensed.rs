@@ -17,9 +17,10 @@ use super::Differentiable;
 use super::unit::ScaledMap;
 
 pub(super) struct CondensedEquations {
-    /// The matrices that map (dx₀, de, 1) to dxᵢ.
+    /// The matrices that map (dx₀, de, 1) to dxᵢ. Here dxᵢ are corrections of the points, and de of
+    /// the further unknowns.
     affine: Vec<DMatrix<f64>>,
-    /// The condition dx_N − dx₀ = 0 that the cycle closes, as a matrix that acts on (dx₀, de, 1).
+    /// The condition dx_N − dx₀ = 0 on these corrections, as a matrix that acts on (dx₀, de, 1).
     closing: DMatrix<f64>,
 }
 

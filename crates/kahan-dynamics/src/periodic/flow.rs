@@ -181,7 +181,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
         const NEWTON_ITERATIONS: usize = 60;
-        /// If the relative defect is smaller, one more step is made, which reaches rounding errors.
+        /// Below this relative defect, one more Newton step reduces the defect to rounding errors.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;

@@ -172,7 +172,6 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowCycleCurve<F> {
         if self.extent(place) < STEADY_STATE_EXTENT {
             return true;
         }
-        // On a cycle of half the period, both rounds have equal tangents.
         let (moves, n) = (Self::points(tangent), self.dimension(place));
         let half = moves.len() / n / 2 * n;
         let apart = (0..half).map(|k| (moves[k] - moves[k + half]).abs()).fold(0.0, f64::max);

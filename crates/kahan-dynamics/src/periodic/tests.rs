@@ -478,7 +478,6 @@ fn a_fold_hides_no_other_change() {
             seen.push((point.cycle.points[0][0], point.change()));
             ControlFlow::Continue(())
         });
-        // On branches from far away, 1 − 2x passes through −1 first.
         let first = [(BranchChange::ThroughMinusOne, 1.0)];
         let expected = if from > 1.0 { [&first[..], &both].concat() } else { both.to_vec() };
         assert!(has_turns(&branch, &expected, 1e-9 * from.max(1.0)), "{steps}: {:?}", branch.turns);

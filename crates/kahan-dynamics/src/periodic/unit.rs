@@ -9,7 +9,7 @@ use super::{Differentiable, Parametric};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LengthUnit {
-    /// The unit of length in the caller's unit, a power of two.
+    /// The unit of length, a power of two, measured in the caller's unit.
     pub(super) length: f64,
     /// The scale with which lengths are compared: 1, or 0 if the caller's size was 0 or not finite.
     pub(super) size: f64,

@@ -21,7 +21,7 @@ const DOUBLE_DOUBLE_COST_FACTOR: f64 = 6.0;
 const DOUBLE_DOUBLE_COST_FACTOR: f64 = 10.0;
 
 impl Scheme {
-    /// Returns the modelled cycles of one step, of which only ratios are meaningful.
+    /// Returns the modelled processor cycles of one step. Only ratios of results are meaningful.
     ///
     /// The result is the number of stages times the [cycles](StepCost::cycles) of a stage in `f64`,
     /// times the factors of scalar and compensation. `stage` is the cost of one step of Kahan's

@@ -2,7 +2,7 @@
 //!
 //! In exact arithmetic the map preserves its integrals at any suitable ε. One rounding of the state
 //! changes an integral by about u × condition, with the unit roundoff u. After n steps, the changes
-//! add up to √n times this (random walk). The choice is a scalar with small enough roundoff.
+//! add up to √n times this (random walk). The choice is a scheme whose changes are small enough.
 
 use kahan_core::nalgebra::SVector;
 
@@ -12,8 +12,8 @@ use kahan_core::{ExtendScalars, PreparedStep};
 use super::search::{PLAIN_DOUBLE, PLAIN_DOUBLE_DOUBLE};
 use super::{NoSetting, Scene, Setting};
 
-/// The safety factor on rounding errors. In 19 of 20 random walks, the end is at most twice as
-/// large as is typical.
+/// The safety factor on rounding errors. In 19 of 20 random walks, the final sum is at most twice
+/// its typical size.
 const ROUNDING_SAFETY_FACTOR: f64 = 2.0;
 /// The largest number of steps, which `f64` represents exactly.
 const MOST_STEPS: f64 = 9e15;
@@ -70,7 +70,7 @@ where
     best.ok_or(NoSetting::OutOfReach { best: least_error })
 }
 
-/// Returns whether the first steps stay finite, and not much larger than steps with ε/4.
+/// Returns whether the first points are finite, and not much larger than points with ε/4.
 fn stays_bounded<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
 where
     M: ExtendScalars<f64, N>,

@@ -21,7 +21,7 @@ impl<const N: usize> OrbitTask<N> for LastPoint {
     type Output = Option<SVector<f64, N>>;
 
     fn run<X>(self, mut orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output {
-        // `Iterator::map` would convert every point before the last one.
+        // Only the last point is converted, unlike with `Iterator::map` before `nth`.
         orbit.nth(self.0).map(|x| rounded(&widen(x)))
     }
 }

@@ -6,7 +6,7 @@ use kahan_core::Composition;
 
 use super::{Need, Precision, Scene, Scheme};
 
-/// For smaller tolerances, ε must be exact enough for the end time of an orbit in `Dd`.
+/// Below this tolerance, rounding ε to `f64` changes the end time of an orbit too much.
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A [`Scheme`] with ε and a number of steps, for the time span of a [`Scene`](crate::Scene).

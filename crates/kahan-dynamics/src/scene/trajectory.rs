@@ -1,8 +1,9 @@
 //! The cheapest setting that follows a trajectory.
 //!
-//! The solution is computed once ([`Flow`]), in `f64` or, if rounding errors matter, in [`Dd`]. The
-//! observed error over the whole time must be small enough. An orbit ten times as accurate as
-//! requested checks the solution.
+//! The solution ([`Flow`]) is computed in `f64` with a nearby solution that measures the growth of
+//! rounding errors. If these errors matter, the solution is computed in [`Dd`]. The observed error
+//! over the whole time must be small enough. An orbit ten times as accurate as requested checks the
+//! solution.
 
 use kahan_core::nalgebra::SVector;
 
@@ -64,8 +65,8 @@ impl Budget {
         T: SeriesScalar,
         F: QuadraticField<T, N>,
     {
-        // The work of a piece in steps of the map. One bilinear form costs about a third of a step,
-        // and a piece takes TERMS²/4.
+        // The work of a piece in steps of the map: a piece takes TERMS²/4 bilinear forms, each of
+        // which costs about a third of a step.
         let piece = (T::TERMS * T::TERMS) as f64 / 12.0;
         let most = (SHARE * self.left / piece) as usize;
         let flow = Flow::through(field, start, scene.horizon, 0.0, &mut |pieces| {
@@ -134,7 +135,7 @@ where
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < MIN_STOPPING_ERROR {
-                    // At another ε the error may be twice as large, because of rounding errors.
+                    // At another ε, rounding errors may be twice as large, hence the factor 2.
                     NoSetting::OutOfReach {
                         best: libm::exp2(libm::log2(2.0 * REFERENCE_ACCURACY_FACTOR * least_error).ceil()),
                     }

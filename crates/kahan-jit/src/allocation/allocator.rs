@@ -184,7 +184,7 @@ impl<'a> Allocator<'a> {
         for operand in operands {
             self.lock(operand);
         }
-        // At most one operand may stay in memory, and it must not occur twice.
+        // The instruction can read one operand from memory, and only once.
         for operand in [c, b, a] {
             let in_memory = |value: &usize| self.register_of[*value].is_none();
             let is_only = operands.iter().filter(|value| in_memory(value)).count() == 1;
@@ -205,7 +205,8 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // Overwrite the operand that must be loaded from memory, or else a copy of the addend.
+            // The result overwrites the operand that is still in memory, if there is one, or else a
+            // copy of the addend.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {

@@ -52,7 +52,7 @@ pub(crate) struct Allocation {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
     pub(crate) ends: ResultDestination,
-    /// Whether many rounds run with equal constants.
+    /// Whether the constants are equal in many rounds, so that keeping them in registers pays.
     pub(crate) keeps_constants: bool,
 }
 
@@ -92,7 +92,7 @@ impl MachineInstruction {
 }
 
 impl Allocation {
-    /// Allocates `registers` registers, of which there must be at least [`FEWEST_REGISTERS`].
+    /// Allocates registers for a program. At least [`FEWEST_REGISTERS`] must be available.
     pub(crate) fn of(program: &Program, registers: u8, plan: RoundPlan) -> Self {
         let first = Allocator::new(program, registers, plan.ends, &[]).run();
         // Spare registers hold constants that would otherwise be loaded again in each round.
@@ -108,7 +108,7 @@ impl Allocation {
         self.all().count()
     }
 
-    /// Returns the number of vector registers in use, counted up to the highest register.
+    /// Returns the number of the highest vector register in use, plus 1; 0 if none is used.
     pub(crate) fn vectors(&self) -> u8 {
         let written = self.all().filter_map(MachineInstruction::written);
         written.map(|register| register.0 + 1).max().unwrap_or(0)
@@ -120,7 +120,7 @@ fn constants_in_registers(program: &Program, plan: RoundPlan, most: usize) -> Ve
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        // If results do not become states, the program runs only once.
+        // A program whose results do not become states runs once, and loads each constant once.
         Instruction::Constant(_) => plan.ends != ResultDestination::Elsewhere,
         _ => false,
     };

@@ -40,7 +40,8 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Returns whether to load a variable from memory: it is read again, and a register is unused.
+    /// Returns whether a variable should be loaded from memory, because it is read again and a
+    /// register is unused.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable =
             !matches!(self.home[value], Some(ValueLocation::Constant(_) | ValueLocation::Literal(_)) | None);
@@ -56,7 +57,8 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register for the current result, if possible register i for the next state i.
+    /// Returns a register for the current value. If this value becomes state i of the next round,
+    /// register i is returned if it is free.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == ResultDestination::Carried);
         match carried {

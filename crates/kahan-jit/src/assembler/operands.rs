@@ -42,7 +42,7 @@ impl OperandForm {
     }
 }
 
-/// A vector register, from 0 to 31.
+/// The number of a vector register, from 0 to 31.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Vector(pub(crate) u8);
 

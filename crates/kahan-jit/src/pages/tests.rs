@@ -62,8 +62,7 @@ mod on_linux {
         }
     }
 
-    /// Counts the executable bytes of this process. The operating system may merge neighbouring
-    /// ranges.
+    /// Counts the executable bytes of this process.
     fn executable() -> usize {
         let pieces = pieces().into_iter().filter(|piece| piece.permissions.contains('x'));
         pieces.map(|piece| piece.addresses.len()).sum()

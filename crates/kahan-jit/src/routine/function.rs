@@ -44,7 +44,8 @@ impl<T: Float> Function<T> {
         results
     }
 
-    /// Computes the results. Each state, constant or result is one register of numbers.
+    /// Computes the results. Each state, constant and result takes as many numbers as one register
+    /// holds.
     ///
     /// # Panics
     /// If an array is too short.

@@ -33,7 +33,7 @@ struct Frame {
 
 impl Frame {
     /// Begins a function over numbers of type `T`, with stack slots above the stack pointer. Panics
-    /// if results become states, and a state that the program reads has no result.
+    /// if the results replace the states, and a state that the program reads gets no new value.
     fn open<T: Float>(
         program: &Program,
         shape: Shape,

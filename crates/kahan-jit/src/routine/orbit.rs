@@ -52,8 +52,9 @@ impl<T: Float> Orbit<T> {
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
         // SAFETY: for each result and each constant of the program, the code reads one register.
-        // The code writes only the results, to the last state if states stay in registers. Only
-        // `Code::orbit` and, if states stay in registers, `Code::orbit_step` enter the code.
+        // The code writes only the results, and if states stay in registers, only to the array in
+        // the fourth argument. Only `Code::orbit` and, if states stay in registers,
+        // `Code::orbit_step` enter the code.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends, round_bytes })
     }
@@ -73,7 +74,7 @@ impl<T: Float> Orbit<T> {
     }
 
     /// Writes the state one step later to `next`. Code that keeps states in registers reads `state`
-    /// itself, because loads from a fresh copy would stall.
+    /// itself instead of a copy, because loading numbers that were just stored is slow.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.

@@ -142,7 +142,6 @@ fn any_number_of_registers_computes_what_the_program_says() {
     }
 }
 
-/// At its last use, an operand stays in memory or its register becomes that of the result.
 #[test]
 fn a_last_use_takes_no_instruction_of_its_own() {
     let mut program = Program::default();

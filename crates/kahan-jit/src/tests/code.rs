@@ -179,7 +179,7 @@ fn a_sweep_advances_each_trajectory() {
     sweeps::<f32>();
 }
 
-/// Long code needs other jumps and loads on 64-bit Arm.
+/// On 64-bit Arm, long code uses other jump and load instructions than short code.
 #[test]
 fn long_code_computes_its_results() {
     let program = random_program(&mut Draw(7), 3, 2, 24_000);

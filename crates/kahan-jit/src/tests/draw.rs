@@ -19,7 +19,7 @@ impl Draw {
         (self.next() % bound as u64) as usize
     }
 
-    /// Draws an ordinary number with weight `ordinary`, otherwise a special number such as NaN.
+    /// Draws a random number; larger values of `ordinary` make special numbers such as NaN rarer.
     pub(crate) fn number(&mut self, ordinary: usize) -> f64 {
         match self.below(5 + ordinary) {
             0 => 0.0,
@@ -50,7 +50,6 @@ pub(crate) fn literal(value: f64) -> Instruction {
     Instruction::Constant(Float::of(value))
 }
 
-/// Draws a program with one result per state. Most values are used soon, and some much later.
 pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, operations: usize) -> Program {
     let mut program = Program::default();
     for i in 0..states {

@@ -97,7 +97,6 @@ fn a_round_has_a_result_for_each_state() {
     let _ = Orbit::<f64>::compile(&program(&[state(14)], vec![Node(0)]), SHAPE);
 }
 
-/// Returns a program with `values` live values, which the last operations combine.
 fn wide(values: usize) -> Program {
     let mut program = Program::default();
     let mut last = push(&mut program, state(0));

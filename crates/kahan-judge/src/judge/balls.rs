@@ -34,7 +34,7 @@ impl Balls {
         Some(Box::new(Fraction::of_equation(&equation)?))
     }
 
-    /// Answers a question by balls of growing precision, then by exact quotients.
+    /// Returns what `of_balls` finds with balls of growing precision, or else what `exactly` finds.
     fn answer<R>(
         &self,
         of_balls: impl Fn(&[Ball], u64) -> Option<R>,
@@ -139,7 +139,7 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
 
 /// Expands det A, row by row, as a polynomial in a random state or in ε.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
-    /// This number of bits gives roots the precision of the longest scalar, unless many digits
+    /// With this many bits, roots are as precise as the longest scalar type, unless many digits
     /// cancel.
     const ROOT_BITS: u64 = 320;
     let n = equation.dimension();

@@ -77,7 +77,6 @@ impl ExactStep for Fraction {
     }
 }
 
-/// Returns the largest number of a format.
 pub(crate) fn greatest(format: &Format) -> Dyadic {
     let Format { precision, greatest_binade, .. } = format;
     Dyadic::new((BigInt::from(1) << precision) - 1, greatest_binade + 1 - precision)

@@ -1,8 +1,8 @@
 //! Tests float results against the exact step from the given floats.
 //!
 //! For fields of up to eight variables, the exact step comes from the expanded map in lowest terms,
-//! or from elimination in balls if the map has too many terms. Every verdict is exact; only printed
-//! values are rounded.
+//! or from elimination in balls if the map has too many terms. Every comparison of an error with a
+//! limit is exact. Condition numbers and printed values are rounded.
 
 pub(crate) mod balls;
 pub(crate) mod fraction;
@@ -23,7 +23,7 @@ use reduced::Reduced;
 pub(crate) trait ExactMap: Debug + Send + Sync {
     fn equation(&self) -> &Equation;
 
-    /// Makes the exact step; returns `None` at a pole. In lowest terms, the step may be defined
+    /// Makes the exact step; returns `None` at a pole. A map in lowest terms may have a step even
     /// where the field divides by zero.
     fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>>;
 

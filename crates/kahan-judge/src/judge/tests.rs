@@ -224,7 +224,7 @@ fn every_judge_sees_a_wrong_step() {
     }
 }
 
-/// Tests that the polynomials whose zeros are poles equal det A along a coordinate.
+/// Tests that the polynomials from `zeros` equal det A as a function of one coordinate.
 #[test]
 fn det_a_along_a_coordinate_is_told() {
     for judge in [&beyond_the_budget() as &dyn ExactMap, &*of_many()] {

@@ -54,7 +54,7 @@ pub(crate) struct Draw {
     divisors: Vec<String>,
     /// The largest offset of a neighbour in the equations of a chain; 0 for fields.
     pub(crate) offsets: i64,
-    /// The last coefficient n·2^k as the pair (n, k).
+    /// The coefficient n·2^k that was written last, as the pair (n, k).
     last: (u64, i64),
 }
 
@@ -119,7 +119,7 @@ impl Draw {
         Self::written(self.last)
     }
 
-    /// Writes the last coefficient, or one that differs from it by some units in the last place.
+    /// Writes the previous coefficient again, or one that differs by some units in the last place.
     fn near_last(&mut self) -> String {
         let (integer, exponent) = self.last;
         let room = 10;
@@ -135,8 +135,8 @@ impl Draw {
         }
     }
 
-    /// Returns one of at most three divisors, which contain no states. More would make expansions
-    /// long.
+    /// Returns one of at most three divisors, which contain no states. With more divisors,
+    /// expansions become long.
     fn divisor(&mut self) -> String {
         const MOST: usize = 3;
         if self.divisors.len() < MOST {

@@ -37,7 +37,7 @@ pub(super) fn power(base: Tree, exponent: u32) -> Tree {
     Tree::Power(Box::new(base), exponent)
 }
 
-/// The precedence of an expression. Sums bind least, then products, powers and atoms.
+/// The precedence of an expression. Sums bind weakest, then products, powers and atoms.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Precedence {
     Sum,

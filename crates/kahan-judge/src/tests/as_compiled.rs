@@ -96,7 +96,7 @@ impl Tried {
     }
 }
 
-/// The part of the crate that does not depend on the fields.
+/// The part of the generated crate that is equal for all fields.
 const FRAME: &str = "
 #![allow(unused_imports, clippy::all)]
 use kahan_core::prelude::*;

@@ -16,7 +16,7 @@ use crate::survey::TrialTarget;
 use crate::tally::Tally;
 use crate::trial::{Trials, with_special_inputs};
 
-/// A scalar as a list of `u64`, one for each of its floats.
+/// A scalar type whose values are stored as `u64`, one for each float of the value.
 pub(super) trait Words: Float {
     const WORDS: usize;
 

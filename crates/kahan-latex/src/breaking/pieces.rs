@@ -26,7 +26,7 @@ pub(super) fn group_insides(factor: &str) -> Option<Vec<Range<usize>>> {
     None
 }
 
-/// Returns the end of the group whose inside begins at `start`: a `}` or `\right`.
+/// Returns the position of the `}` or `\right` that closes the group with its inside at `start`.
 pub(super) fn closing(text: &str, start: usize) -> usize {
     let mut depth = NestingDepth::default();
     for (at, _) in text[start..].char_indices() {

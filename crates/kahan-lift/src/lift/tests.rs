@@ -339,7 +339,6 @@ fn lifts_are_chosen_by_structure_then_by_the_orbit() {
         orbit: Some((start.to_vec(), parameters.to_vec())),
         ..Options::default()
     };
-    // The map preserves the relation along every orbit.
     let van_der_pol = lifted("x' = y; y' = mu*(1 - x^2)*y - x", &Options::default()).expect("a lift");
     assert_eq!(van_der_pol.relations[0].formula.as_deref(), Some("x2 - x^2 + eps^2*y^2"));
     // Errors of u = v² grow if the equation of u contains 2u, and decay if it contains 2v².

@@ -46,7 +46,7 @@ fn call(name: &str, arguments: &[Formula]) -> Option<Formula> {
             };
             Some(above.over(below))
         }
-        // At another point, the functions would need other variables.
+        // At another point functions have other values, so such calls cannot be rationalised.
         ("next" | "back", [.., inner]) => {
             (!has_functions(inner)).then(|| Formula::call(name, arguments.to_vec()))
         }

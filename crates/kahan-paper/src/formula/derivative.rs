@@ -91,7 +91,7 @@ fn unknown(name: &str) -> String {
 fn depends_on(formula: &Formula, variable: &str) -> bool {
     match formula {
         Formula::Name(name) => name == variable,
-        // A step of the map depends on all states.
+        // The values of these calls depend on all states.
         Formula::Call(name, _) if matches!(name.as_str(), "next" | "back" | "f" | "A" | "b" | "J") => true,
         _ => formula.parts().into_iter().any(|part| depends_on(part, variable)),
     }

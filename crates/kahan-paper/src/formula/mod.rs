@@ -146,7 +146,7 @@ impl Formula {
         }
     }
 
-    /// Rebuilds the formula after `new` is applied to each operand.
+    /// Returns the formula in which `new` is applied to each operand.
     pub(crate) fn of_parts<E>(&self, new: &dyn Fn(&Formula) -> Result<Formula, E>) -> Result<Self, E> {
         let boxed = |part: &Formula| new(part).map(Box::new);
         let marked = |parts: &[(bool, Formula)]| -> Result<Vec<_>, E> {

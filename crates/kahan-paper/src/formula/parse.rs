@@ -17,7 +17,7 @@ pub(crate) fn parse(text: &str) -> Result<Statement, String> {
 }
 
 fn item(tokens: &[Token]) -> Result<Item, String> {
-    // No formula contains the separators of items and of sides.
+    // The signs `:`, `~`, `!` and `=` occur in no formula, so the first one ends the left side.
     let is_sign = |token: &Token| matches!(token.kind, TokenKind::Punctuation(':' | '~' | '!' | '='));
     let (left, rest) = tokens.split_at(tokens.iter().position(is_sign).unwrap_or(tokens.len()));
     let sign = |index: usize| rest.get(index).map_or("", |token| &*token.text);

@@ -43,7 +43,7 @@ impl Calculus for Modular {}
 impl Calculus for Exact {}
 impl Calculus for SizeArithmetic {}
 
-/// A relation between two formulas without definitions, about one system.
+/// A relation between two formulas about one system, with all definitions substituted.
 pub(super) struct Identity<'a> {
     pub(super) models: &'a Models,
     pub(super) model: &'a Model,
@@ -61,8 +61,8 @@ impl Identity<'_> {
     /// Checks the relation, and returns the evidence or the reason of a failure.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // The variables that replace functions may depend on each other, so they prove no
-        // difference.
+        // Variables that replace functions may depend on each other, so a difference proves
+        // nothing.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,

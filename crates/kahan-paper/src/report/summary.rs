@@ -31,7 +31,6 @@ impl Verdicts {
     }
 }
 
-/// Counts claims by section and outcome.
 fn sections(verdicts: &Verdicts) -> Vec<String> {
     let count = |keep: &dyn Fn(&Claim) -> bool| {
         let kept = verdicts.claims.iter().filter(|row| row.claim.as_ref().is_some_and(keep));
@@ -53,7 +52,6 @@ fn sections(verdicts: &Verdicts) -> Vec<String> {
     aligned(&[vec![headings.collect()], Section::ALL.map(of_section).to_vec(), vec![all]].concat())
 }
 
-/// Describes failures on at most `room` lines.
 fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
     let mut text = vec!["What failed".to_owned()];
     let failed = verdicts.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
@@ -72,7 +70,6 @@ fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
     text
 }
 
-/// Describes the misprints, sorted by erratum.
 fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     let corrected = verdicts.claims.iter().filter(|row| row.outcome == Outcome::Misprint);
     let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim.as_ref()).collect();

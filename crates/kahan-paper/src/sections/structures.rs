@@ -14,7 +14,7 @@ pub struct StructureRow {
     pub definitions: &'static str,
 }
 
-/// A Lie algebra, given by the brackets of a basis e, f, g of linear functions.
+/// A Lie algebra, given by the brackets of a basis of three linear functions.
 #[derive(Clone, Copy, Debug)]
 pub struct Algebra {
     /// The name of the algebra.
@@ -26,7 +26,7 @@ pub struct Algebra {
 const A33: Algebra = Algebra { name: "A(3,3)", basis: ("x", "y", "z"), brackets: ["0", "y", "-x"] };
 const E11: Algebra = Algebra { name: "e(1,1)", basis: ("x", "y", "z"), brackets: ["0", "-y", "-x"] };
 const E2: Algebra = Algebra { name: "e(2)", basis: ("x", "y", "z"), brackets: ["0", "x", "y"] };
-/// The algebra with {e,f} = h, {f,h} = 2f and {h,e} = 2e.
+/// The algebra sl(2,ℝ) of e = x, f = z and h = −2y: {e,f} = h, {f,h} = 2f and {h,e} = 2e.
 const SL2: Algebra = Algebra { name: "sl(2,R)", basis: ("x", "z", "-2*y"), brackets: ["-2*y", "2*z", "2*x"] };
 const SO3: Algebra = Algebra { name: "so(3)", basis: ("x", "y", "z"), brackets: ["z", "x", "y"] };
 const A32: Algebra = Algebra { name: "A(3,2)", basis: ("x", "y", "z"), brackets: ["0", "x + y", "-x"] };

@@ -9,7 +9,7 @@ use super::super::section::Section;
 use super::structures::{Algebra, STRUCTURES, StructureRow};
 use super::text::{ClaimText, read};
 
-/// Claims about a flow, of Table 1 and Section 3, or of Section 6 for E7 to E9.
+/// Claims about a flow, from Table 1 and Section 3, or for E7 to E9 from Section 6.
 const FLOW_CLAIMS: &str = "
 table1.{e}.P | {table}, P |
     {P12}; {P23}; {P31}; jacobi(P12, P23, P31) = 0;
@@ -44,7 +44,7 @@ section3.{e}.algebra_{t} | {table}, {t} is the algebra {algebra} |
     bracket({t}12, {t}23, {t}31, {e3}, {e1}) = {e3e1}
 ";
 
-/// Claims about a map, of Tables 2 to 4 and Theorems 1 and 2.
+/// Claims about a map, from Tables 2 to 4 and Theorems 1 and 2.
 const MAP_CLAIMS: &str = "
 table2.{e}.limit | Table 2, i = {i}, at eps = 0 | at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K
 theorem1.{e}.flow | Theorem 1, the volume form of the flow, i = {i} | divergence(c/(H*K)) = 0

@@ -17,7 +17,7 @@ use kahan_algebra::rational::Rational;
 use super::super::claim::Claim;
 use super::super::erratum::Erratum;
 
-/// The text of a claim and the notes that follow.
+/// The text of a claim, and the notes that follow it.
 pub(super) struct ClaimText {
     pub(super) head: String,
     notes: Vec<String>,

@@ -226,7 +226,8 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time; `eps` contains an ε that is too near 0 to divide by.
+    /// Follows trajectories one at a time, because `eps` contains an ε that is too near 0 to divide
+    /// by.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],

@@ -26,7 +26,8 @@ pub(crate) struct RuntimeGroup<T> {
 }
 
 impl<T: MachineFloat> RuntimeGroup<T> {
-    /// Gathers the points of a group from columns; `None` beyond [`MOST`] variables.
+    /// Gathers the points of a group from columns; `None` if there are more than [`MOST`]
+    /// variables.
     pub(crate) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
         let mut group = RuntimeGroup { columns: AlignedGroups::zeros(), variables: columns.len() };
         for (own, column) in group.columns.0.get_mut(..columns.len())?.iter_mut().zip(columns) {

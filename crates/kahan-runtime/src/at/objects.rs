@@ -38,8 +38,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         self.object(MapObject::Jacobian, x, out, self.dimension().pow(2))
     }
 
-    /// Returns ∂x̃/∂p for the parameter p with this index; the index after the last parameter
-    /// stands for ε.
+    /// Returns ∂x̃/∂p for the parameter p with this index. The index after the last parameter means
+    /// p = ε.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `x` is not the dimension.

@@ -63,7 +63,8 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits in groups. If `has_observed` is `false`, the default loop observes a group.
+    /// Observes orbits in groups. The default loop observes each group for which `has_observed`
+    /// returns `false`.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -163,7 +164,7 @@ impl<T: MachineFloat> MapAt<T> {
     }
 
     /// Returns machine code that steps orbits with their tangent vectors. `carried` holds the
-    /// number of vectors, and whether their squared lengths follow them.
+    /// number of vectors, and whether the code also computes their squared lengths.
     pub(crate) fn group_code_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),
@@ -254,8 +255,8 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
         Followed { report: self.observers.report(), end: self.end }
     }
 
-    /// Observes in lanes while all orbits continue. Without a bound, only the last points of a
-    /// burst are tested, since nonfinite points stay nonfinite.
+    /// Observes all orbits of a group together while all of them continue. Without a bound, only
+    /// the last points are tested, since nonfinite points stay nonfinite.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,

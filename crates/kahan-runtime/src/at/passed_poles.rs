@@ -16,7 +16,8 @@ use crate::engine::{split, stage_constants};
 pub struct PassedPoleCount {
     /// The number of steps that pass over a pole.
     pub steps: u64,
-    /// Whether the count is a lower bound, because signs of det A were used.
+    /// Whether signs of det A replaced roots of d. Steps over an even number of roots are then
+    /// missed, and removable zeros of det A are counted.
     pub is_lower_bound: bool,
 }
 
@@ -27,11 +28,11 @@ pub struct PassedPoleCount {
 /// [composition](MapAt::composed) passes over a pole if one of its stages does.
 ///
 /// Roots are found as if by exact arithmetic on the given numbers. If d has too many terms to be
-/// expanded, steps with det A(x,ε) < 0 are counted. The count is then a lower bound, and includes
-/// removable zeros of det A.
+/// expanded, steps with det A(x,ε) < 0 are counted. This count misses steps over an even number of
+/// roots, and includes steps over removable zeros of det A.
 ///
-/// Cost of each step: the terms of d in floats, or without d one elimination. Near double roots,
-/// exact numbers are used, which are much slower.
+/// Cost of each step: an evaluation of d in floats, or, if d was not expanded, one elimination.
+/// Near double roots, exact numbers are used, which are much slower.
 ///
 /// ```
 /// use std::ops::ControlFlow;

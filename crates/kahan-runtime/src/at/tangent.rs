@@ -46,8 +46,8 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// Returns the map of a point and its derivatives.
     ///
     /// A state holds x, then a vector for each entry of `by`. Begin with a vector of zeros, or for
-    /// [`Sensitivity::Start`] with the unit vector of a coordinate. [`Sensitivity::Epsilon`] adds
-    /// 1/ε as the last parameter in [columns](Self::advance_columns).
+    /// [`Sensitivity::Start`] with the unit vector of a coordinate. With [`Sensitivity::Epsilon`],
+    /// the map has one more parameter, 1/ε, which comes last in [columns](Self::advance_columns).
     ///
     /// The last bits of x may differ from those of this map, since the larger field has its own
     /// plan. For a compiled map, use [`Tangent`], or parameters of type [`Dual`](kahan_core::Dual).

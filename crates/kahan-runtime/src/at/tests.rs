@@ -203,7 +203,6 @@ fn the_catalog_by_code_is_the_catalog_compiled() {
     agree("e9", &["0.1"], &E9 { xi: big("0.1") });
 }
 
-/// A sum near the largest float overflows if its low parts reach half a unit in the last place.
 #[test]
 fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     let map = Field::parse("xdot = y; ydot = 0;").expect("a field").map().expect("no parameters");
@@ -345,7 +344,6 @@ fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
     }
 }
 
-/// Each trajectory has its own ε and parameters; some steps are rejected or overflow.
 #[test]
 fn columns_of_eliminated_fields_are_their_orbits() {
     let mut random = SplitMix64::new(6);
@@ -383,7 +381,6 @@ fn columns_of_eliminated_fields_are_their_orbits() {
     }
 }
 
-/// Returns the field of logistic growth on a square lattice of interacting neighbours.
 fn lattice(side: usize) -> Field {
     let site = |i: usize, j: usize| (i < side && j < side).then(|| format!("x{}", i * side + j));
     let equation = |i: usize, j: usize| {
@@ -396,7 +393,6 @@ fn lattice(side: usize) -> Field {
     Field::parse(&equations.collect::<String>()).expect("a field")
 }
 
-/// Compares elimination in panels over floats with elimination by entries over double-double.
 #[test]
 fn steps_of_large_lattices_are_those_in_double_double() {
     let map = lattice(28).map().expect("no parameters");
@@ -428,7 +424,6 @@ fn steps_of_large_lattices_are_those_in_double_double() {
     }
 }
 
-/// Advances an orbit of E3 by a million steps.
 fn a_million_steps(of: impl FnOnce(MapAt<f64>) -> MapAt<f64>) {
     let text = kahan_systems::registry::find("e3").expect("in the catalog").text();
     let map = Field::parse(text).expect("a field").with::<&str, f64>([]).expect("it has no parameters");

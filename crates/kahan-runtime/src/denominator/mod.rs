@@ -10,11 +10,11 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// A factor smaller than this is replaced by the interval [−TINY, TINY]. Products of larger factors
+/// In the error bound of a product, a smaller factor is replaced by this number, so that products
 /// do not underflow.
 const TINY: f64 = 1.0 / (1_u128 << 110) as f64;
 
-/// The polynomial d(x, ε·t) in the states x and in t, 0 < t ≤ 1.
+/// The denominator of the map, d(x, ε·t), as a polynomial in the states x and in t, 0 < t ≤ 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Denominator {
     states: Vec<Variable>,
@@ -28,7 +28,7 @@ pub(crate) struct Denominator {
 struct Term {
     power: usize,
     coefficient: f64,
-    /// The indices of the states that are multiplied; a state with exponent k occurs k times.
+    /// The indices of the states in the term; a state with exponent k occurs k times.
     factors: Vec<usize>,
 }
 
@@ -74,7 +74,8 @@ impl Denominator {
         self.has_root_in_floats(x).unwrap_or_else(|| self.has_root_exactly(x))
     }
 
-    /// Decides in floats; `None` if the error bound permits both answers.
+    /// Computes [`has_root`](Self::has_root) in floats; `None` if the error bound permits both
+    /// answers.
     fn has_root_in_floats(&self, x: &[f64]) -> Option<bool> {
         let mut coefficients = [0.0; roots::MAX_COEFFICIENTS];
         let coefficients = coefficients.get_mut(..=self.degree)?;

@@ -40,7 +40,8 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         CompiledStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages, if it is equal for `all` and the kinds are equal.
+    /// Returns the number of distinct stages, if all have this number of stages and one kind of
+    /// step.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;

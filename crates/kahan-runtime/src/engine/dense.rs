@@ -65,13 +65,12 @@ fn nearest<T: MachineFloat>(number: &Rational) -> T {
         Precision::Single => (number.to_f32(), 0.0),
         _ => (0.0, number.to_f64()),
     };
-    // A value of type `f32` or `f64` is exact, so its lower parts are 0.
     T::constant(&Constant::exact(number.is_negative(), &[], &[], single, double, 0.0))
 }
 
-/// Advances a state by steps of a dense field. The last number becomes large if the interpreter
-/// must repeat the steps. `stages` holds the coefficients of each distinct stage, the middle stage
-/// last.
+/// Advances a state by steps of a dense field. The last of the `numbers` becomes large if the
+/// interpreter must repeat the steps. `stages` holds the coefficients of each distinct stage, the
+/// middle stage last.
 pub(crate) fn advance<T: MachineFloat>(kind: StepKind, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
     let Some((guard, numbers)) = numbers.split_last_mut() else { return };
     let dimension = if kind.compensated { numbers.len() / 2 } else { numbers.len() };

@@ -110,8 +110,8 @@ pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
     is_negative && !is_zero
 }
 
-/// Eliminates below the diagonal. `see` receives each pivot and whether rows were exchanged; after
-/// a zero pivot the elimination ends.
+/// Eliminates the entries below the diagonal. `see` receives each pivot, and whether rows were
+/// exchanged for it; after a zero pivot the elimination ends.
 fn eliminate<V: Scalar + Copy>(a: &mut [V], n: usize, mut see: impl FnMut(V, bool)) {
     for k in 0..n {
         let row = pivot_row(a, n, k);

@@ -43,7 +43,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
         false
     }
 
-    /// Factors A(x,ε) by [`EliminationPattern::factor`], or in SIMD lanes.
+    /// Factors A(x,ε) as [`EliminationPattern::factor`] does, for some types in SIMD lanes.
     #[doc(hidden)]
     fn factor(tables: &EliminationPattern, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
         tables.factor(slopes, eps, factors)

@@ -43,7 +43,7 @@ pub(crate) use scratch::{Scratch, with_scratch};
 pub(crate) use step::{Step, into_matrix};
 pub(crate) use transposed::TransposedSolver;
 
-/// A function of one state, or of two states.
+/// A function of one or two states that is derived from a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapObject {
     Field,

@@ -1,6 +1,6 @@
 //! Scratch memory of each thread.
 //!
-//! Vectors keep their capacity, so that only the first step on a thread allocates.
+//! Vectors keep their capacity, so that on each thread only the first step of a map allocates.
 
 use core::cell::Cell;
 use std::thread::LocalKey;

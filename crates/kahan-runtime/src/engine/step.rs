@@ -58,7 +58,8 @@ impl StepForms {
 pub(crate) struct Step {
     /// The program that computes the constants of the step; `None` for a step by elimination.
     prepared: Option<Line>,
-    /// The programs that read the state: that of the step, or those of f′ and of the field.
+    /// The programs that read the state: one for the whole step, or, for elimination, one for f′
+    /// and one for the field.
     lines: Vec<Line>,
     couplings: Option<EliminationPattern>,
     /// For each component, the indices of the increment's numerator and reciprocal in the results.
@@ -237,7 +238,8 @@ impl Step {
         outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
     }
 
-    /// Returns the numerator and the reciprocal of an increment, or their product if `rounds`.
+    /// Returns the numerator and the reciprocal of an increment. If `rounds` is true, returns their
+    /// product.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
         let (numerator, reciprocal) = self.quotients[i];

@@ -19,9 +19,10 @@ use super::integers::{bits, greatest_common_divisor, short_gcd};
 use super::map::Image;
 use super::reduction::in_halves;
 
-/// A content with less than 1/NEGLIGIBLE of the digits is negligible.
+/// A content (the gcd of the coordinates of a point) is negligible if it has less than 1/NEGLIGIBLE
+/// of their digits.
 const NEGLIGIBLE: usize = 100;
-/// The number of successive negligible contents after which the search for contents stops.
+/// After this number of successive negligible contents, no more contents are sought.
 const MAX_NEGLIGIBLE_CONTENTS: u32 = 3;
 /// The number of bits from which predicting a content pays.
 const WORTH_PREDICTING: usize = 1 << 13;
@@ -34,14 +35,14 @@ pub(crate) struct PrimitivePoint {
     pub(crate) weight_parts: Vec<IBig>,
 }
 
-/// The predictor of contents along an orbit.
+/// The predictor of contents, the gcds of the coordinates of points, along an orbit.
 ///
 /// Let γ be the content of the inverse step: F₋(X) = γX₋ for the inverse map F₋, the point X and
 /// the previous point X₋. By singularity confinement, a prime that divides a content also divides γ
-/// a few steps earlier. This number of steps, the lag, is constant along an orbit. For dE4 the
-/// content of a step from X_n is γ_{n−1} up to a few digits.
+/// a few steps earlier. This number of steps, the lag, is constant along an orbit.
 ///
-/// The predictor finds the lag while numbers are short; later it tries gcd(γ, W̃) first.
+/// The predictor finds the lag while numbers are short. Later it first tries gcd(γ, W̃), where W̃
+/// is the last coordinate of the new point.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContentPredictor {
     misses: u32,
@@ -121,8 +122,8 @@ impl ContentPredictor {
     }
 }
 
-/// Returns γ, the last coordinate of the inverse step divided by the previous W, if γ is an
-/// integer.
+/// Returns γ: the last coordinate of the inverse step, divided by the previous W; `None` if γ is
+/// not an integer.
 fn factor_of_step_back((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
@@ -136,7 +137,8 @@ pub(crate) fn longest(point: &[IBig]) -> usize {
     point.iter().map(bits).max().unwrap_or(0)
 }
 
-/// Returns the point divided by gcd(γ, W̃); `None` if the gcd has few digits.
+/// Returns the point divided by the gcd of γ and its last coordinate; `None` if the gcd has few
+/// digits.
 fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     if gamma.is_zero() {
         return None;

@@ -25,7 +25,6 @@ pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
                 }
                 *entry = (&*entry * pivot - &factor * above) / &last_pivot;
             }
-            // In rows above, Bareiss's algorithm sets the diagonal entry to this pivot.
             if i < k {
                 row[i] = pivot.clone();
             }

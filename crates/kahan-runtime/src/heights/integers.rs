@@ -28,7 +28,8 @@ impl Arithmetic for Integers {
         a - b
     }
 
-    /// Squares equal operands, which takes two thirds of the time of a product.
+    /// Squares an operand that is multiplied by itself, which takes two thirds of the time of a
+    /// product.
     fn multiply(&self, a: &IBig, b: &IBig) -> IBig {
         if std::ptr::eq(a, b) { a.sqr().into() } else { a * b }
     }

@@ -96,8 +96,8 @@ impl ProjectiveMap {
         Ok(ProjectiveMap { dimension: field.dimension(), unit, formula })
     }
 
-    /// Returns the factor σ in xᵢ = σXᵢ/W: 1/ε for a homogeneous field whose coefficients do not
-    /// depend on ε, and otherwise 1.
+    /// Returns the factor σ with which a projective point (X₁, …, X_n, W) stands for xᵢ = σXᵢ/W.
+    /// For a homogeneous field whose coefficients do not depend on ε, σ is 1/ε, otherwise 1.
     #[must_use]
     pub fn unit(&self) -> &Rational {
         &self.unit
@@ -175,7 +175,8 @@ impl Values<'_> {
         self.homogeneous(&forms, degree)
     }
 
-    /// Returns A, row by row, and b, as forms of degree one with coprime coefficients in each row.
+    /// Returns A, row by row, and b from A x̃ = b, as forms of degree one with coprime coefficients
+    /// in each row.
     fn linear_system(&self) -> Vec<Polynomial> {
         let (mut entries, mut right) = (Vec::new(), Vec::new());
         for (row, b) in scaled_matrix(self.field).iter().zip(scaled_rhs(self.field)) {

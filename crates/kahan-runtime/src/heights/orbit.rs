@@ -32,7 +32,8 @@ use super::report::{Heights, Stop};
 #[derive(Clone, Debug)]
 pub struct HeightsOrbit {
     map: ProjectiveMap,
-    /// The current point. `factors` holds gcd(Xᵢ, W) for each Xᵢ, and `before` the previous point.
+    /// The current point (X₁, …, X_n, W). `factors` holds gcd(Xᵢ, W) for each Xᵢ, and `before` the
+    /// previous point.
     point: Vec<IBig>,
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,

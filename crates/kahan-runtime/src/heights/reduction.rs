@@ -1,8 +1,8 @@
 //! The gcd(Xᵢ, W) of each coordinate with W, which heights need at every step.
 //!
 //! If the gcds are small, one long gcd is enough: gcd(Xᵢ, W) = gcd(Xᵢ, P) for P = gcd(W, ∏Xᵢ mod
-//! W). Coordinates with a large gcd would make P long, so they are left out of the product. A
-//! coordinate with a large gcd at one step has a large gcd at every step.
+//! W). Coordinates with a large gcd would make P long, so they are left out of the product. A large
+//! gcd of a coordinate usually stays large, so the gcds of the previous point predict large gcds.
 
 use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -18,7 +18,7 @@ const WORTH_GUESSING: usize = 1 << 10;
 /// A common factor is large if it has at least 1/LARGE_FACTOR_FRACTION of the digits of W.
 const LARGE_FACTOR_FRACTION: usize = 8;
 
-/// Returns gcd(Xᵢ, W) for each i; W must not be 0.
+/// Returns gcd(Xᵢ, W) for each coordinate Xᵢ of a point and its last coordinate W ≠ 0.
 ///
 /// `parts` are factors whose product is W, or empty. `before` are the gcds of the previous point,
 /// which predict large gcds, or empty.

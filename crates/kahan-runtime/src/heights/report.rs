@@ -27,6 +27,6 @@ pub enum Stop {
     /// The next point exceeds the bound of [`within_digits`](super::HeightsOrbit::within_digits),
     /// or is expected to exceed twice this bound.
     Digits,
-    /// The next point would exceed the time limit, or the callback ended the orbit.
+    /// The time limit does not allow another step, or the callback ended the orbit.
     Seconds,
 }

@@ -32,7 +32,8 @@ struct Split {
     is_short: Vec<bool>,
     /// The plan of the nonzero terms Nⱼ of all forms N = Σ gʲ Nⱼ, form by form.
     plan: Plan,
-    /// For each nonzero Nⱼ, form by form, its degree j minus the least degree of all forms.
+    /// For each nonzero Nⱼ in N = Σ gʲ Nⱼ, form by form: j minus the least exponent of g in all
+    /// forms.
     degrees: Vec<Vec<usize>>,
 }
 
@@ -41,7 +42,8 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Returns the image of a point, divided by a known factor; `None` if no coordinate is short.
+    /// Returns the image of a point, divided by a known common factor; `None` if no coordinate is
+    /// short.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LEAST_SPLIT_BITS)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();

@@ -65,7 +65,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Interpreted { engine: Arc::clone(engine), parameters, dimension: PhantomData }
     }
 
-    /// Returns the cost of a step, in the code that `kahan!` would generate.
+    /// Returns the cost of a step in the code that `kahan!` generates for this system.
     #[must_use]
     pub fn cost(&self) -> StepCost {
         let of_plan = |plan::StepCost { operations, divisions, critical_path }| StepCost {

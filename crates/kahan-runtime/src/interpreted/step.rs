@@ -9,7 +9,7 @@ use crate::line::has_value;
 
 use super::{Interpreted, Registers, sized};
 
-/// The step of an [`Interpreted`] system at one ε: the constants and the kernel of the step.
+/// The step of an [`Interpreted`] system at one ε, with the constants of the step.
 ///
 /// The associated constant `COST` is the cost of elimination; use [`Interpreted::cost`] instead.
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,
     eps: T,
     is_general: bool,
-    /// The registers of the kernel that do not depend on the state.
+    /// The registers of the step's program that do not depend on the state.
     kept: Arc<[T]>,
 }
 

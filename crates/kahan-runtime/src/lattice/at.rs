@@ -19,8 +19,8 @@ use super::{LatticeCode, LatticeError};
 
 /// The map of a family at a fixed ε, half the time step, for a fixed number of sites.
 ///
-/// For each site in order, a state holds the value of each array. [`step`](Self::step) does not
-/// allocate.
+/// A state holds the values of all arrays at the first site, then those at the second site, and so
+/// on. [`step`](Self::step) does not allocate.
 #[derive(Debug)]
 pub struct ChainAt {
     code: Arc<LatticeCode>,
@@ -132,7 +132,7 @@ impl ChainAt {
     }
 }
 
-/// A state of the wrong length causes a panic.
+/// Panics if the length of a state is not that of the chain.
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

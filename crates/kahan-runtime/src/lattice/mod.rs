@@ -40,7 +40,7 @@ struct LatticeCode {
     constants: Line,
     /// The numbers in the equations, which follow the prepared constants in memory.
     literals: Vec<Literal>,
-    /// The program that computes the field, one result for each array, and then the rows of A.
+    /// The program that computes the field, one result for each array, and then the rows of A(x,ε).
     rows: Program,
     /// The program that computes the densities of the integrals, then of the Hamiltonian.
     sums: Program,

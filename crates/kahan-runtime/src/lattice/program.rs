@@ -11,8 +11,8 @@ use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
-/// The number of sites for which each decoded instruction is run, a multiple of the lanes of all
-/// instruction sets.
+/// Each decoded instruction runs for this number of sites, a multiple of the number of lanes of
+/// every instruction set.
 const SITES_PER_INSTRUCTION: usize = 128;
 
 #[derive(Debug)]
@@ -203,7 +203,8 @@ impl Program {
         }
     }
 
-    /// Returns the results at the next site; computes several sites at once.
+    /// Returns the results at the next site. If these are not known yet, computes several sites at
+    /// once.
     #[inline(always)]
     pub(super) fn line<L: Lanes<f64>, const B: usize, const C: usize, const SITES: usize>(
         &self,
@@ -249,7 +250,7 @@ impl Program {
 }
 
 impl OperandNumbering<'_> {
-    /// Returns the operand of an input.
+    /// Returns the operand that holds the value of a symbol.
     fn operand(&self, symbol: Symbol) -> Operand {
         let states = self.stencil * self.block;
         match symbol {

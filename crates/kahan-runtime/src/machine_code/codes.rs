@@ -19,7 +19,7 @@ const CAN_RUN: bool = cfg!(feature = "jit");
 /// The number of steps that a field makes before the code of an elimination is compiled. Compiling
 /// pays after some 300 steps for 9 dense variables, and after 7000 for 50 sparse ones.
 const STEPS_BEFORE_CODE: u64 = 256;
-/// Compilation waits one further step for each group of this many operations in a step.
+/// If a step has k times this number of operations, compilation waits for k further steps.
 const OPERATIONS_A_STEP: u64 = 8;
 
 /// The code for each key; `None` if compilation failed.
@@ -37,7 +37,8 @@ impl<K: Eq + Hash, C> CodeTable<K, C> {
         if !CAN_RUN {
             return None;
         }
-        // A panic under the lock comes from `compile`, and would occur again.
+        // Only `compile` can panic under the lock, and then the table is unchanged, so it remains
+        // usable.
         let mut table = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         table.entry(key).or_insert_with(|| compile().map(Arc::new)).clone()
     }
@@ -72,7 +73,7 @@ pub(crate) struct OrbitCode<T> {
 enum StepCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
-    /// Loops over the coefficients of a dense field, which are written in Rust.
+    /// Loops, written in Rust, over the coefficients of a dense field.
     Loops(StepKind),
 }
 
@@ -93,7 +94,8 @@ impl Codes {
             .get_or_init(|| Some(engine.derived.couplings()?.cost(engine.derived.field()).operations))
     }
 
-    /// Counts steps, and returns whether compiling pays, as it always does without elimination.
+    /// Counts steps, and returns whether compiling pays. For a step without elimination it always
+    /// pays.
     pub(crate) fn is_worth_compiling(&self, steps: u64, engine: &Engine) -> bool {
         let Some(operations) = self.operations(engine) else { return true };
         let needed = STEPS_BEFORE_CODE + u64::from(operations) / OPERATIONS_A_STEP;

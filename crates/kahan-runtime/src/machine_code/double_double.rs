@@ -28,7 +28,7 @@ struct GuardNotes {
     /// Whether the rounding errors of products are computed by fused multiply-adds.
     fuses: bool,
     of_sizes: Vec<Double>,
-    /// High parts that are known to be far from overflow and underflow.
+    /// The high parts of pairs that are known to be far from overflow and underflow.
     moderate: Vec<Double>,
 }
 
@@ -40,14 +40,16 @@ thread_local! {
 /// underflow.
 const DIVISOR_EXPONENT: i32 = 400;
 
-/// Traces the numbers that `compute` returns, as two doubles each; the last result is the guard.
+/// Traces the numbers that `compute` returns, as two doubles each. The last result is the guard,
+/// which becomes NaN if numbers are too large or too small.
 pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) -> Option<Program> {
     GUARD_NOTES.set(GuardNotes { fuses, ..GuardNotes::default() });
     traced::program(|| {
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::input(Input::State(results.len()));
-        // The checks are summed separately, so that their sum does not wait for the previous step.
+        // The checks are summed before `guard` is added, so that their sum does not wait for the
+        // last step.
         let noted = GUARD_NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
         Some(results)
@@ -62,20 +64,21 @@ fn fuses() -> bool {
     GUARD_NOTES.with_borrow(|notes| notes.fuses)
 }
 
-/// Sets the guard to NaN unless |a|·2^exponent is finite.
+/// Sets the guard, the program's last result, to NaN unless |a|·2^exponent is finite.
 fn guard_below(a: Double, exponent: i32) {
     let note = a * Double::number(power_of_two(exponent)) * Double::number(0.0);
     GUARD_NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
 }
 
-/// Sets the guard to NaN unless 2^−DIVISOR_EXPONENT < |a| < 2^DIVISOR_EXPONENT. The argument
+/// Sets the guard, the program's last result, to NaN unless 2^−DIVISOR_EXPONENT < |a| < 2^DIVISOR_EXPONENT. The
+/// argument
 /// `inverse` is near 1/a.
 fn note_moderate(a: Double, inverse: Double) {
     guard_below(a, 1024 - DIVISOR_EXPONENT);
     guard_below(inverse, 1024 - DIVISOR_EXPONENT);
 }
 
-/// Sets the guard to NaN unless |leading| < 2^1022.
+/// Sets the guard, the program's last result, to NaN unless |leading| < 2^1022.
 fn guard_headroom(leading: Double) {
     guard_below(leading, 1024 - 1022);
 }
@@ -105,7 +108,8 @@ fn two_product(a: Double, b: Double) -> (Double, Double) {
     (product, left + a_low * b_low)
 }
 
-/// Splits a into two floats of 26 bits (Veltkamp). Sets the guard to NaN if |a| is above 2⁹⁹⁵.
+/// Splits a into two floats of 26 bits (Veltkamp). Sets the guard, the program's last result, to
+/// NaN if |a| is above 2⁹⁹⁵.
 fn split(a: Double) -> (Double, Double) {
     guard_below(a, 1024 - 995);
     let spread = Double::number(power_of_two(27) + 1.0) * a;

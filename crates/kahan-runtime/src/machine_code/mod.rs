@@ -1,8 +1,8 @@
 //! Steps and objects of a field as machine code, compiled at first use.
 //!
-//! In: the plans of a field, and the kind of step. Out: code, shared by all maps of the field. If
-//! there is no code (without the feature `jit`, or on other processors), the interpreter makes the
-//! steps.
+//! In: the plans of a field, and the kind of step. Out: code, shared by all maps of the field. The
+//! interpreter makes steps without code: without the feature `jit`, on other processors, and of
+//! plans with too many operations.
 
 mod codes;
 mod double_double;

@@ -130,7 +130,8 @@ impl TangentKind {
             };
             let mut squares = Vec::new();
             for k in 1..=self.vectors {
-                // All vectors start at one point, so that common subexpressions are compiled once.
+                // All vectors are propagated from the same point, so that common subexpressions are
+                // compiled once.
                 let v = Traced::states(k * n..(k + 1) * n);
                 let carried = if self.is_variational {
                     let mut next = self.kind.next(step, [&x[..], &v].concat())?;
@@ -160,7 +161,8 @@ fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]
     Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
 }
 
-/// Returns the program that computes an object with a straight-line program from a state.
+/// Returns the program that computes an object from a state, if the object has a straight-line
+/// program.
 pub(super) fn object<T: MachineFloat>(object: MapObject, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();

@@ -29,14 +29,16 @@ pub trait Relations: fmt::Debug + Sync {
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
 }
 
-/// The largest error of a propagated derivative at which the plane is not reset, relative to the
-/// function's largest derivative. If the map preserves the relations, errors are of order ε².
+/// The tangent plane is reset if the error of a propagated derivative exceeds this multiple of the
+/// largest derivative of the same function. If the map preserves the relations, errors are of order
+/// ε².
 const LARGEST_DERIVATIVE_ERROR: f64 = 1.0 / 64.0;
 
 #[derive(Clone, Debug)]
 pub(super) struct TangentCarrier<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
-    /// The propagated plane of a lifted field; `None` if tangent vectors are in all variables.
+    /// The propagated tangent plane of a lifted field; `None` if tangent vectors are in all
+    /// variables.
     pub(super) plane: Option<Rc<RefCell<CarriedPlane<'a, T>>>>,
 }
 
@@ -109,7 +111,8 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
         self.replace_if_far(x, true);
     }
 
-    /// Resets the plane to (e, Dg·e) if its error exceeds [`LARGEST_DERIVATIVE_ERROR`], or if `must`
+    /// Resets the propagated plane to the tangent plane of the relations, if its error exceeds
+    /// [`LARGEST_DERIVATIVE_ERROR`] or `must`
     /// is set.
     fn replace_if_far(&mut self, x: &[T], must: bool) {
         let (n, slopes) = (self.basis.len(), self.slopes(x));
@@ -175,7 +178,8 @@ impl<T: MachineFloat + EmbedScalar> Step for TangentCarrier<'_, T> {
 }
 
 impl<T: MachineFloat + EmbedScalar> TangentMap for TangentCarrier<'_, T> {
-    /// Propagates a vector; in a lifted field, by the images of the last step.
+    /// Propagates a vector. For a lifted field, uses the images of the unit vectors under the last
+    /// step.
     fn push_forward(&self, x: &[T], v: &mut Vec<T>) {
         let Some(plane) = &self.plane else { return self.map.push_forward(x, v) };
         let mut sum = vec![T::zero(); v.len()];

@@ -20,8 +20,8 @@ pub(super) fn product(a: &Matrix, b: &Matrix) -> Vec<Vec<Rational>> {
 pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
     let n = matrix.len();
     let mut terms = vec![(Monomial::power(Z, n as u32), Rational::one())];
-    // The recurrence is Nₖ = M·(Nₖ₋₁ + c·I), where c is the previous coefficient; the next
-    // coefficient is −tr Nₖ/k.
+    // For the matrix M the recurrence is Nₖ = M·(Nₖ₋₁ + c·I), where c is the previous coefficient;
+    // the next coefficient is −tr Nₖ/k.
     let mut power = vec![vec![Rational::zero(); n]; n];
     for k in 1..=n {
         let (_, last) = &terms[k - 1];

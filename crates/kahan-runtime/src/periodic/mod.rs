@@ -36,7 +36,8 @@ pub struct ParametricAt {
 
 impl MapAt<f64> {
     /// Returns the map with its derivative with respect to one parameter, given by its index in
-    /// [`Field::parameters`](crate::Field::parameters). `None` stands for ε.
+    /// [`Field::parameters`](crate::Field::parameters). If `parameter` is `None`, the derivative is
+    /// with respect to ε.
     ///
     /// # Panics
     /// If the index is out of range.
@@ -49,7 +50,8 @@ impl MapAt<f64> {
 }
 
 impl ParametricAt {
-    /// Returns the index of the differentiated parameter; ε comes after the last parameter.
+    /// Returns the index of the parameter of the derivative. The index after the last parameter
+    /// stands for ε.
     #[must_use]
     pub fn place(&self) -> usize {
         self.place

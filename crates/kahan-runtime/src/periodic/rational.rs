@@ -46,8 +46,9 @@ impl RationalCycle {
 impl Map {
     /// Searches for a rational cycle near a cycle in floats, for the map at ε, half the time step.
     ///
-    /// Returns `None` if no fractions with small denominators form a cycle. The search also ends at
-    /// 200 digits, and at 200 000 multiplications of fractions.
+    /// Returns `None` if no fractions with small denominators form a cycle. The search ends without
+    /// a result if numbers exceed 200 digits, or if it needs more than 200 000 multiplications of
+    /// fractions.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
         /// Relative distances within which the simplest fraction is taken.

@@ -44,7 +44,6 @@ fn a_rational_cycle_of_three_is_proved() {
     let proved = map.rational_cycle(&eps, &cycle).unwrap();
     let points = [(1, 5), (-6, 1), (-5, 6)].map(|(above, below)| [Rational::new(above, below)]);
     assert_eq!(proved.points, points);
-    // All points have period 3, so the multiplier is 1.
     assert_eq!((proved.polynomial, proved.stability), (polynomial(&[(-1, 1), (1, 1)]), Stability::Neutral));
 }
 
@@ -60,7 +59,6 @@ fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
     let mut rows = [0.0; 4];
     at.matrix(&x, &mut rows).unwrap();
     let moved = [next[0] - x[0], next[1] - x[1]];
-    // Here ∂F/∂r = ((x·ỹ + x̃·y)/2, x·x̃/r²) and ∂F/∂s = (1, 0).
     let by_r = [(x[0] * next[1] + next[0] * x[1]) / 2.0, x[0] * next[0] / (0.75 * 0.75)];
     let expected = [
         (None, moved.map(|entry| entry / eps)),
@@ -78,7 +76,6 @@ fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
 
 #[test]
 fn the_derivative_by_eps_goes_through_elimination_too() {
-    // In ten variables, a step uses sparse elimination.
     let equation = |i: usize| format!("x{i}dot = x{i}*x{} - x{}/2 + 1/3;", (i + 1) % 10, (i + 7) % 10);
     let map = Field::parse(&(0..10).map(equation).collect::<String>()).unwrap().map().unwrap();
     let (eps, x) = (0.125, [0.5, -0.25, 1.0, 0.75, -0.5, 0.25, -1.0, 0.125, 0.375, 0.625]);
@@ -110,7 +107,6 @@ fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
     let after_three = |x: &[f64]| (0..3).fold(x.to_vec(), |x, _| at.image(&x));
     let [first, second] = [after_three(&[0.2, 1.0, 0.0]), after_three(&[0.2, 0.0, 1.0])];
     let (trace, determinant) = (first[1] + second[2], first[1] * second[2] - first[2] * second[1]);
-    // The polynomial is (z − 1)(z² − trace·z + determinant).
     let expected = [-determinant, determinant + trace, -(1.0 + trace), 1.0];
     let proved = map.rational_cycle(&Rational::one(), &cycle).unwrap().polynomial;
     let [a, b, c] = cycle.multipliers[..] else { panic!("three") };
@@ -162,7 +158,6 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
     }
     let plane = Field::parse("ydot = q; qdot = -y + y^2;").unwrap().map().unwrap();
     let cycle = periodic_point(&plane.at(2.0), &[-0.3, 0.01], 3).unwrap();
-    // The polynomial is (z − 15/8)(z − 8/15).
     let expected = polynomial(&[(1, 1), (-289, 120), (1, 1)]);
     assert_eq!(plane.rational_cycle(&Rational::from(2), &cycle).unwrap().polynomial, expected);
 }

@@ -79,7 +79,6 @@ fn orbits_are_those_of_rational_arithmetic() {
 
 #[test]
 fn a_field_without_a_reduced_map_is_solved_exactly() {
-    // In six variables that depend on each other, the reduced map has far too many terms.
     let equation = |i: usize| {
         let products: Vec<String> =
             (1..=6).map(|j| format!("{}*x{j}*x{}", (i * j) % 5 + 1, (i + 2 * j) % 6 + 1)).collect();
@@ -175,9 +174,7 @@ fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
         assert_eq!((survey.stopped, orbit.stopped()), (Some(Stop::Seconds), None));
         survey.heights.len()
     };
-    // If no time is left, no step is made. The first step begins at 2 seconds, without an estimate.
     assert_eq!([0.0, 1.9, 2.0].map(within), [1, 1, 2]);
-    // Digits double, so a step is expected to take four times as long as the previous step.
     assert_eq!([20.0, 22.0].map(within), [8, 9]);
 }
 

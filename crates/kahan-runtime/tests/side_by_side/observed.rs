@@ -7,7 +7,6 @@ use kahan_runtime::{End, MapAt, Observable, ObservationRequest, ObservedFloat};
 
 use super::support::{columns, maps};
 
-/// The number of orbits, which fill more than two groups.
 const ORBITS: usize = 37;
 
 fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &ObservationRequest<'_>) -> Vec<End> {
@@ -21,7 +20,6 @@ fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &Observation
     found.iter().map(|found| found.end).collect()
 }
 
-/// Runs end at a step at which observers sample, between two such steps, or before the first.
 #[test]
 fn observables_are_those_of_each_orbit_alone() {
     use Observable::{Extrema, Fli, Last, Lyapunov, Sali};

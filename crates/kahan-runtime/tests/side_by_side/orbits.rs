@@ -9,7 +9,6 @@ use kahan_runtime::{Field, Follow, MachineFloat, MapAt, WhileFinite};
 
 use super::support::{FIELDS, STEPS, columns, maps};
 
-/// Numbers of orbits that fill groups exactly, or leave a partial group.
 const COUNTS: [usize; 5] = [0, 1, 15, 16, 37];
 fn observers<'a, T: MachineFloat + PartialOrd>(
     map: &'a MapAt<T>,
@@ -77,7 +76,6 @@ fn vectors_are_scaled_before_they_leave_the_numbers() {
     let mut columns = [[0.0; 3]; 2];
     let mut slices = columns.each_mut().map(|column| &mut column[..]);
     let reports = MapAt::observe_columns(&[&map], &mut slices, STEPS, |_| Fli::new(&map));
-    // Vectors grow along x, where the initial vector has a considerable component.
     let along_x = STEPS as f64 * 41.0 * std::f64::consts::LN_2;
     for indicator in reports.expect("columns that fit") {
         assert!(along_x - 2.0 < indicator && indicator < along_x, "{indicator} and {along_x}");
@@ -159,7 +157,6 @@ fn maps_and_columns_have_to_fit() {
     assert_eq!(refused(&[&at], uneven), "the column of `y` has 2 entries; give 3, as in the first");
 }
 
-/// Counts the orbits from (1, 1, …) by their ends, which must be those of single orbits.
 fn ends<O: Observer<f64, Report: Debug>>(
     maps: &[&MapAt<f64>],
     variables: usize,
@@ -194,7 +191,6 @@ fn orbits_end_side_by_side_where_each_ends_alone() {
         let lasting = |orbit: usize| (Fli::new(maps[orbit]), Extrema::of(|x: &[f64]| x[0]));
         let [complete, range, done] = ends(&maps, variables, lasting);
         assert!(complete > 0 && range > 0 && done == 0, "{text}: {complete} {range}");
-        // Observers that may end an orbit see one orbit after the other.
         let beyond = || Escape::when(|x: &[f64]| x[0] > 1e250).ending();
         let [complete, range, done] = ends(&maps, variables, |orbit| (lasting(orbit), beyond()));
         assert!(complete > 0 && range == 0 && done > 0, "{text}: {complete} {range} {done}");

@@ -21,7 +21,6 @@ pub(crate) const FIELDS: [(&str, &[(&str, f64)]); 6] = [
     ),
 ];
 
-/// Returns columns of points in all directions, at several distances from the origin.
 pub(crate) fn columns<T: MachineFloat>(variables: usize, orbits: usize) -> Vec<Vec<T>> {
     let entry = |c: usize, orbit: usize| ((37 * orbit + 23 * c * (orbit + 1) + 11) % 64) as i64 - 24;
     let number = |c, orbit| T::constant(&kahan_core::Constant::ratio(entry(c, orbit), 24));

@@ -10,7 +10,6 @@ use kahan_systems::{E1, E3, E6, E9, LotkaVolterra};
 
 use super::support::{Random, assert_same, catalog, number, steps};
 
-/// Numbers of trajectories that fill groups exactly, or leave a partial group.
 const COUNTS: [usize; 6] = [0, 1, 7, 16, 37, 523];
 
 fn columns<T: MachineFloat>(n: usize, count: usize) -> Vec<Vec<T>> {
@@ -29,7 +28,6 @@ fn advance<T: MachineFloat>(
     at.composed(composition).advance_columns(&mut slices, each, parameters, 5).unwrap();
 }
 
-/// Returns the map at each instruction-set level of this processor.
 fn levels<T: MachineFloat>(map: &Map, eps: T) -> impl Iterator<Item = (Level, MapAt<T>)> {
     let at = map.at(eps);
     [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon].into_iter().filter_map(move |level| {
@@ -184,8 +182,6 @@ fn a_trajectory_whose_field_divides_by_zero_is_no_number() {
     }
 }
 
-/// Trajectories overflow at different steps, meet a pole, or stay finite. Some have an ε too near
-/// zero to divide by.
 #[test]
 fn a_trajectory_of_columns_ends_where_it_ends_alone_with_the_same_bits() {
     const STEPS: u64 = 3000;

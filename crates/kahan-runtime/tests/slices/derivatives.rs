@@ -47,7 +47,6 @@ fn end(at: &MapAt<Dd>, start: &[Dd], steps: u64) -> Vec<Dd> {
     x
 }
 
-/// The errors of central differences in double-double are far below the bound.
 #[test]
 fn derivatives_are_those_of_differences_in_double_double() {
     const STEPS: u64 = 40;

@@ -131,7 +131,6 @@ fn chains_are_followed_by_the_same_calls() {
         assert_eq!(agree(&chain(sites), &start, 50), End::Complete);
     }
     let mut x = vec![1.0; 200];
-    // In many variables the watch is called after fewer steps.
     let stopped = chain(200).follow(&mut x, 1000, |_| ControlFlow::Break(())).unwrap();
     assert!(matches!(stopped.end, End::Stopped(steps) if steps < 100), "{stopped:?}");
 }
@@ -170,7 +169,6 @@ fn observers_and_a_watch_end_a_run() {
             told.push(steps);
             if told.len() == most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
-        // After the last step a break has no effect.
         let end = [End::Stopped(4096), End::Stopped(8192), End::Complete][most - 1];
         assert_eq!(followed, Ok(Followed { report: (), end }));
         assert_eq!(told, [4096, 4096, 1808][..most]);

@@ -12,7 +12,6 @@ use super::support::Random;
 
 const GO_ON: fn(u64) -> ControlFlow<()> = |_| ControlFlow::Continue(());
 
-/// Returns a field of one variable, and fields whose step solves a dense or a sparse linear system.
 fn larger_fields() -> Vec<Case> {
     let start = |n: usize| (0..n).map(|i| 0.25 + 0.5 / (2.0 + i as f64)).collect::<Vec<f64>>();
     let growing: String = chain(30).replace(" - ", " + a - b*").replace("dot = ", "dot = c + ");
@@ -180,7 +179,6 @@ fn gradients_say_what_does_not_fit_and_how_orbits_end() {
     assert_eq!(none, Gradient { start: vec![0.0; 2], parameters: vec![0.0], eps: 0.0 });
 }
 
-/// The watch receives all steps, forward and back, and can stop both sweeps.
 #[test]
 fn a_watch_stops_a_sweep() {
     let at = Field::parse("xdot = y; ydot = -x;").unwrap().map().unwrap().at(0.01);

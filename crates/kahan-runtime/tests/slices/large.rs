@@ -7,8 +7,8 @@ use kahan_runtime::{Field, MachineFloat, Map};
 
 use super::support::{Random, assert_same, number, steps};
 
-/// Returns a field in n variables, of which each depends on all others. From about six on, its
-/// reduced map has too many terms.
+/// Returns a field in n variables, of which each depends on all others. From about six variables
+/// on, its reduced map has too many terms.
 pub(crate) fn dense(n: usize) -> String {
     let equation = |i: usize| {
         let terms = (0..n).flat_map(|j| (j..n).map(move |k| (j, k)));
@@ -72,7 +72,6 @@ fn promised_as_by_types<T: MachineFloat + Pivot, const N: usize>() {
             match (map.try_step(x.as_slice(), eps, &mut next).unwrap(), typed.try_step(&x, eps)) {
                 (Ok(()), Ok(by_type)) => assert_same(&next, by_type.as_slice(), ("try_step", N, eps)),
                 (ours, by_type) => {
-                    // Errors are compared as text, because they may contain NaN.
                     assert_eq!(format!("{:?}", ours.unwrap_err()), format!("{:?}", by_type.unwrap_err()));
                     refused += 1;
                 }
@@ -123,7 +122,8 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     assert!((total(&state) - total(&x)).abs() < 1e-11, "{}", total(&state) - total(&x));
 }
 
-/// For x = 1 + 4j and ε = 1/8, most of the diagonal of A is 0 up to rounding.
+/// The column of the lattice with index j starts near 1 + 4j, so at ε = 1/8 most diagonal entries
+/// of A nearly vanish.
 #[test]
 fn a_lattice_without_pivots_on_the_diagonal_obeys_its_linear_equations() {
     const SIDE: usize = 15;
@@ -179,7 +179,6 @@ fn the_jacobian_of_sixty_variables_is_that_of_differences() {
     }
 }
 
-/// Compares orbits in long calls with single interpreted steps.
 fn follows_the_interpreter<T: MachineFloat, const N: usize>(text: &str) {
     let large = map(text);
     let typed: Interpreted<T, N> = large.as_kahan_map().unwrap();

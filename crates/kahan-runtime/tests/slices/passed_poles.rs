@@ -155,8 +155,6 @@ fn a_composed_step_counts_where_one_of_its_stages_does() {
         }
     }
     assert!(passes > 20, "{passes} poles");
-    // The stages of the composition are 1.35, −1.70 and 1.35 steps long, so the orbit goes beyond
-    // the end of the step and back.
     let kahan = map(RICCATI, 0.1);
     for start in [1.0 / 0.23, -1.0 / 0.05] {
         assert_eq!(passed(&kahan, &[start], 1), exactly(0));
@@ -166,14 +164,14 @@ fn a_composed_step_counts_where_one_of_its_stages_does() {
 
 #[test]
 fn a_pole_that_is_touched_is_passed_and_one_that_is_missed_is_not() {
-    // Here d = (1 − 2εx)² + 4ε²y², which has a double root only for y = 0.
+    // The denominator (1 − 2εx)² + 4ε²y² has a double root only for y = 0.
     let complex = map("xdot = x^2 - y^2; ydot = 2*x*y;", 0.07);
     assert_eq!(passed(&complex, &[1.0, 0.0], 12), exactly(1));
     assert_eq!(passed(&complex, &[0.1, 0.0], 12), exactly(0));
     for y in [1e-3, 1e-9, 1e-100, 5e-324] {
         assert_eq!(passed(&complex, &[8.0, y], 1), exactly(0), "{y}");
     }
-    // Here d is a square.
+    // The denominator is a square.
     let square = map("xdot = x^2; ydot = 2*x*y;", 0.07);
     assert_eq!(passed(&square, &[1.0, 3.0], 12), exactly(1));
 }
@@ -182,7 +180,7 @@ fn a_pole_that_is_touched_is_passed_and_one_that_is_missed_is_not() {
 fn a_denominator_without_states_has_its_roots_at_every_step_or_at_none() {
     assert_eq!(passed(&map("xdot = y; ydot = 1;", 1e6), &[1.0, 1.0], 9), exactly(0));
     assert_eq!(passed(&map("xdot = y; ydot = -x;", 50.0), &[1.0, 1.0], 9), exactly(0));
-    // Here d = 1 − ε.
+    // The denominator is 1 − ε.
     assert_eq!(passed(&map("xdot = x;", 0.99), &[1.0], 9), exactly(0));
     assert_eq!(passed(&map("xdot = x;", 1.5), &[1.0], 9), exactly(9));
     assert_eq!(passed(&map("xdot = x;", -1.5), &[1.0], 9), exactly(0));
@@ -210,7 +208,6 @@ fn counts_depend_on_no_unit() {
     assert!(passes > 10, "{passes} poles");
 }
 
-/// The fields have too many terms for an expanded denominator.
 #[test]
 fn beyond_the_budget_the_sign_of_the_determinant_is_a_lower_bound() {
     for text in [dense(7), chain(12)] {

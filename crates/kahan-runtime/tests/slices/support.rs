@@ -18,7 +18,6 @@ impl Random {
         u32::try_from((self.0 >> 33) % u64::from(modulus)).expect("small")
     }
 
-    /// Returns a point of ordinary size whose coordinates need all bits of a double.
     pub(crate) fn point<T: MachineFloat>(&mut self, n: usize) -> Vec<T> {
         (0..n).map(|_| number::<T>(f64::from(self.below(41)) - 20.0) / number(7.0)).collect()
     }

@@ -19,7 +19,6 @@ fn eight_threads_step_one_map() {
 
     let at = catalog("e6").map().unwrap().at(0.05);
     let alone: Vec<[f64; 3]> = (0..8).map(|k| orbit(&at, k)).collect();
-    // The field is new, so that all threads request its plans at once.
     let at = catalog("e6").map().unwrap().at(0.05);
     let together: Vec<[f64; 3]> = scope(|scope| {
         let threads: Vec<_> =

@@ -17,7 +17,6 @@ pub(crate) fn q(text: &str) -> BigRational {
     Rational::parse(text).expect("a number").to_big()
 }
 
-/// Returns points and values of ε of ordinary size, whose numbers need many bits.
 pub(crate) fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
     let mut state = 20_260_801_u64;
     let mut next = |modulus: u64| {

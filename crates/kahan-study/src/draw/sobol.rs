@@ -16,8 +16,8 @@ pub(crate) struct Sobol {
 }
 
 impl Sobol {
-    /// Returns the dimension with this index. Fails if the sequence is too short or has too few
-    /// dimensions.
+    /// Returns the sequence in the dimension with this index. Fails if the sequence is too short or
+    /// has too few dimensions.
     pub(crate) fn dimension(index: usize, points: u64) -> Result<Self, String> {
         if points > PERIOD {
             return Err(format!(
@@ -36,7 +36,7 @@ impl Sobol {
             for (m, first) in m.iter_mut().zip(numbers) {
                 *m = first;
             }
-            // The recurrence, for degree s and coefficients aₖ:
+            // The recurrence for a primitive polynomial of degree s with coefficients aₖ:
             // mᵢ = mᵢ₋ₛ XOR 2ᵏ aₖ mᵢ₋ₖ, over k = 1, …, s.
             for i in degree..BITS {
                 m[i] = m[i - degree];

@@ -9,7 +9,8 @@ use kahan_program::{Arithmetic, Calls, Program};
 
 use super::{Called, Formula, Operation};
 
-/// A formula with its own constants for each orbit. Each lane has the same bits as [`Formula::of`].
+/// A formula that is evaluated on several orbits at once, with constants for each orbit. Each
+/// result has the bits of [`Formula::of`].
 pub(crate) struct FormulaGroup {
     program: Program<Vec<Operation>>,
     variables: Vec<(usize, usize)>,

@@ -56,7 +56,7 @@ pub struct Diagram {
     /// The order of the method.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// Whether each orbit starts at the last point of the orbit at the previous value.
+    /// Whether each orbit starts at the last point of the orbit for the previous value on the axis.
     #[serde(default)]
     pub carry: bool,
     /// Whether steps of a lifted field are projected symmetrically onto the lift's relations.

@@ -56,7 +56,7 @@ pub struct Discovered {
     pub eps: Option<Rational>,
     /// All findings.
     pub report: Report,
-    /// The seconds of the search; `None` without a clock.
+    /// The duration of the search in seconds; `None` without a clock.
     pub seconds: Option<f64>,
 }
 

@@ -48,7 +48,7 @@ pub struct HeightsFound {
     pub variables: Vec<String>,
     /// The heights, their growth, and the reason why the orbit ended.
     pub survey: DiophantineTest,
-    /// The seconds of the orbit; `None` without a clock.
+    /// The duration of the computation in seconds; `None` without a clock.
     pub seconds: Option<f64>,
     /// The pole that ended the orbit.
     pub pole: Option<NoStep>,

@@ -59,7 +59,8 @@ macro_rules! questions {
         const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
         impl Question {
-            /// The values of `ask` for questions that can be asked over axes.
+            /// The values of `ask` for questions that [`Over`] can ask at each combination of axis
+            /// values.
             pub const OVER_AXES: &[&str] = &["observe", $($((stringify!($at_cell), $name).1,)?)*];
 
             /// Returns the name of the question, the value of `ask`.
@@ -71,7 +72,8 @@ macro_rules! questions {
                 }
             }
 
-            /// Returns the question as one that can fill the rows of a table over axes.
+            /// Returns the question in the form in which [`Over`] asks it at each cell. Fails for a
+            /// question whose answer does not fit into a row of a table.
             fn at_cell(&self) -> Result<&dyn AtCell, StudyError> {
                 match self {
                     $($(Self::$question(asked) => Ok(asked as &dyn $at_cell),)?)*
@@ -100,7 +102,7 @@ macro_rules! questions {
                 }
             }
 
-            /// Returns the fields without the name; `None` for a question over axes.
+            /// Returns the fields without the name; `None` for [`Over`].
             fn rest(&self) -> Option<Value> {
                 match self {
                     $($(#[cfg(feature = $feature)])? Self::$question(asked) => Some(json!(asked)),)*
@@ -114,7 +116,7 @@ macro_rules! questions {
 questions! {
     /// The formulas of the field.
     Show, asked as "show", answered by ShownField, in show;
-    /// The value of every object at a point.
+    /// The values of the field, the map and the claims at a point.
     Evaluate, asked as "evaluate", answered by Evaluated, in evaluate, also AtCell;
     /// The points of an orbit.
     Orbit, asked as "orbit", answered by Orbited, in orbit;
@@ -122,7 +124,7 @@ questions! {
     Observe, asked as "observe", answered by Observed, in observe;
     /// The crossings of orbits with a plane.
     Section, asked as "section", answered by SectionFound, in section;
-    /// The limits of orbits over the values of a parameter.
+    /// The values of a variable at late times, for each value of a parameter.
     Diagram, asked as "diagram", answered by DiagramFound, in diagram;
     /// A cycle and, on request, its branch.
     Periodic, asked as "periodic", answered by CycleFound, in periodic;
@@ -202,7 +204,7 @@ impl Question {
             return Err(Misread { path: Vec::new(), why: "missing field `ask`".to_owned() });
         };
         let name = name.as_str().unwrap_or_default();
-        // Questions that cannot be asked over axes may have a field `over` of their own.
+        // Some other questions, such as `Diagram`, have a field `over` of their own.
         if Self::OVER_AXES.contains(&name) && object.contains_key("over") {
             Over::read(name, object).map(Self::Over)
         } else {

@@ -225,7 +225,8 @@ impl Observe {
         self.observe_many(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// Observes one orbit after its transient. A second result says why the lift ended the orbit.
+    /// Observes one orbit after its transient. If the lift ended the orbit, also returns a sentence
+    /// that says why.
     pub(super) fn observe_one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -282,7 +283,8 @@ impl Observe {
         found.collect()
     }
 
-    /// Observes one orbit from its start. A second result says why the lift ended the orbit.
+    /// Observes one orbit from its start. If the lift ended the orbit, also returns a sentence that
+    /// says why.
     fn one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,

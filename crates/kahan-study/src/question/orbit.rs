@@ -338,7 +338,8 @@ impl Orbit {
         }
     }
 
-    /// Prepares the orbit in doubles. Callers of this function alone get no code for other scalars.
+    /// Prepares the orbit in doubles. A program that calls only this function contains no code for
+    /// other scalars.
     ///
     /// # Errors
     /// The errors of [`begin`](Self::begin).

@@ -29,7 +29,8 @@ mod flow;
 
 pub use flow::FlowFound;
 
-/// The largest number of unknowns of Newton's method. A failed search then takes five seconds.
+/// The largest number of unknowns for which Newton's method is used. A failed search then takes
+/// five seconds.
 const MOST_UNKNOWNS: usize = 250;
 
 /// A request for a cycle near a point, and for its branch.
@@ -47,8 +48,8 @@ pub struct Periodic {
     /// limit cycle at `eps`, or 1 if the search must find this number.
     #[serde(default = "one")]
     pub period: usize,
-    /// The unknown besides the points. With ε as unknown, the search finds limit cycles of the
-    /// flow.
+    /// A further unknown besides the points of the cycle. If this is ε, the search finds limit
+    /// cycles of the flow.
     #[serde(default)]
     pub free: Option<FreeUnknown>,
     /// If ε is unknown, the number of steps before the search for close returns of the orbit.
@@ -57,7 +58,7 @@ pub struct Periodic {
     /// The axis of the branch: a parameter, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
-    /// The integrals whose values are held fixed during the search, as at the point `at`.
+    /// The integrals that keep their values at the point `at` during the search.
     #[serde(default)]
     pub hold: HeldIntegrals,
 }
@@ -272,7 +273,7 @@ impl Family {
         let is_steady = asked.period == 1 && asked.free.is_none();
         let eps = given.or_else(|| is_steady.then(|| eps_for(study.map().ok()?, &point))?);
         let eps = eps.ok_or(StudyError::MissingStep)?;
-        // Report mistakes in the input before the search.
+        // Report mistakes in the question before the search.
         let (_, start) = study.in_floats(&point, &eps)?;
         let mut integrals = match asked.hold {
             HeldIntegrals::Linear => integrals(&study, parameter, &start)?,

@@ -45,7 +45,7 @@ pub struct PolesFound {
     /// The growth of the degrees.
     #[serde(flatten, serialize_with = "class")]
     pub growth: GrowthVerdict,
-    /// The seconds of the search; `None` without a clock.
+    /// The duration of the search in seconds; `None` without a clock.
     pub seconds: Option<f64>,
 }
 

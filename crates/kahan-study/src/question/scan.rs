@@ -48,7 +48,7 @@ pub struct ScanFound {
     /// The number of points of the whole grid.
     #[serde(skip)]
     pub total: usize,
-    /// The seconds of the search; `None` without a clock.
+    /// The duration of the search in seconds; `None` without a clock.
     pub seconds: Option<f64>,
 }
 

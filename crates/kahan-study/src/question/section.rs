@@ -69,7 +69,7 @@ pub struct Section {
     /// The axes, combined in all ways with each other and with the first points.
     #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
     pub over: Vec<AxisOver>,
-    /// Whether an orbit starts at the last point of the previous orbit on the last axis.
+    /// Whether, along the last axis, each orbit starts at the last point of the previous orbit.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub carry: bool,
 }
@@ -103,7 +103,7 @@ pub struct SectionFound {
 pub struct Crossed {
     /// The index of the first point in the list.
     pub start: u64,
-    /// The varying values, in the order of the columns.
+    /// The values on the axes that vary, in the order of the columns.
     pub values: Vec<f64>,
     /// The number of steps.
     pub steps: u64,
@@ -164,7 +164,7 @@ impl Section {
         Ok(self.columns_of(study, &Cells::with_starts(&self.as_over(), self.params.len(), study)?))
     }
 
-    /// Returns the orbits as cells of a question over axes; the axes of `params` come last.
+    /// Returns [`Over`] with a cell for each orbit; the axes of `params` come last.
     fn as_over(&self) -> Over {
         let axes = self.over.iter().chain(&self.params).cloned().collect();
         Over { starts: self.starts.clone(), ..Over::new(Question::Section(self.clone()), axes) }
@@ -181,8 +181,9 @@ impl Section {
         front.chain(own).collect()
     }
 
-    /// Passes the crossings of each orbit to a consumer, one orbit after another. Computes the
-    /// orbits, and some additional steps for each crossing; memory is bounded.
+    /// Passes the crossings of each orbit to a consumer, one orbit after another. Costs the steps
+    /// of the orbits, and some additional steps for each crossing. Memory does not grow with the
+    /// number of crossings.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of

@@ -23,7 +23,8 @@ pub use plan::{FunctionCost, Listing, ShownPlans};
 /// The most variables of a field whose matrices are written out.
 const MOST_VARIABLES: usize = 500;
 
-/// A request for the formulas of a field, with given parameters put in, or for its code's costs.
+/// A request for the formulas of a field, with the given parameter values substituted, or for the
+/// costs of its generated code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Show {

@@ -36,11 +36,11 @@ pub enum Verified {
 /// The results of changing each claim.
 #[derive(Clone, Debug, Serialize)]
 pub struct Mutations {
-    /// The claims.
+    /// The results for each claim.
     pub mutations: Vec<Mutated>,
-    /// The number of claims that still hold after every change; such claims state nothing.
+    /// The number of claims that still hold after every change. A meaningful claim does not.
     pub survived: usize,
-    /// The seconds of the check; `None` without a clock.
+    /// The duration of the check in seconds; `None` without a clock.
     #[serde(skip)]
     pub seconds: Option<f64>,
 }
@@ -102,8 +102,8 @@ impl Verify {
         })
     }
 
-    /// Verifies the paper's claims about one system, or about every field for `general`. `None`
-    /// selects all claims, which take about a minute on one processor.
+    /// Verifies the paper's claims about one system. The name `general` selects the claims about
+    /// every field, and `None` selects all claims, which take about a minute on one processor.
     #[must_use]
     pub fn of_paper(&self, system: Option<&str>, watch: &dyn Watch) -> Verified {
         let begun = watch.now();

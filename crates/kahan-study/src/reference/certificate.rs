@@ -12,7 +12,8 @@ const FEWEST_STEPS: f64 = 16.0;
 /// The smallest factor by which the number of steps grows after a failed trial.
 const LEAST_MORE: f64 = 1.25;
 const MOST_MORE: f64 = 2.0;
-/// The relative difference above which a trial of the composition stops.
+/// A trial of the composition stops if its relative difference from the Taylor series exceeds this
+/// bound.
 const STOPPING_DIFFERENCE: f64 = 0.1;
 /// The number of times at which a path is compared with a closed solution.
 const CLOSED_SAMPLES: u32 = 64;
@@ -27,7 +28,7 @@ pub struct Certificate {
     /// The largest difference from the second method, relative to the trajectory's
     /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
-    /// The last of the compared times until which all differences are allowed.
+    /// The last compared time up to which all differences are at most the allowed one.
     #[serde(skip)]
     pub agreed_until: f64,
 }
@@ -81,7 +82,8 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // If short steps or a tiny difference bring no gain, only rounding errors are left.
+            // If steps are short or the difference is tiny, and more steps bring no gain, only
+            // rounding errors are left.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {
@@ -115,7 +117,8 @@ impl Comparison {
         }
     }
 
-    /// Returns whether the difference is clearly smaller, or the agreement clearly longer.
+    /// Returns whether the difference is clearly smaller, or the agreement clearly longer, than in
+    /// `before`.
     fn gains_on(&self, before: &Self) -> bool {
         self.difference < 0.5 * before.difference || self.agreed_until > 1.02 * before.agreed_until
     }

@@ -11,7 +11,7 @@ pub enum NoReference {
         /// The approximate time of the escape.
         time: f64,
     },
-    /// The series would need more memory than its limit.
+    /// The series needs more memory than its limit allows.
     TooLong {
         /// The time that the series reached.
         reached: f64,

@@ -78,7 +78,8 @@ impl<'a> Drift<'a> {
     }
 }
 
-/// Returns the relative change, or the absolute change from 0. NaN becomes ∞.
+/// Returns the relative change from `begin` to `now`, or the absolute change if `begin` is 0. NaN
+/// becomes ∞.
 fn change(begin: Dd, now: Dd) -> f64 {
     let (size, change) = (f64::from(begin.abs()), f64::from((now - begin).abs()));
     let change = if size > 0.0 { change / size } else { change };

@@ -1,6 +1,7 @@
 //! Compares settings of the integrator (scalar, order, compensation, ε) by error and cost.
 //!
-//! The library's own orbits are run and timed; errors are distances from a certified [`Reference`].
+//! The library's own orbits are run and timed. Errors are distances from a [`Reference`] on which
+//! two methods agree, or drifts of integrals.
 
 mod drift;
 mod front;
@@ -41,7 +42,7 @@ use search::{MEASURED, RefinementSearch};
 
 pub use object::need_name;
 
-/// A request for the best integrator setting in one scene, and for the price of this setting.
+/// A request for the best integrator setting for one simulation, and for the price of this setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trade {
@@ -82,7 +83,7 @@ pub struct Measured {
     pub setting: Setting,
     /// The price in nanoseconds for a unit of simulated time.
     pub nanoseconds_per_unit_time: f64,
-    /// The error for [`Need::Trajectory`], possibly infinite; `None` for another need.
+    /// The error for [`Need::Trajectory`], possibly infinite; `None` for another purpose.
     pub trajectory_error: Option<f64>,
     /// The error for [`Need::Integrals`]; `None` if no integral is declared.
     pub integral_drift: Option<f64>,
@@ -106,7 +107,7 @@ pub struct Traded {
     /// The first point.
     #[serde(rename = "x", with = "exact")]
     pub start: Vec<Rational>,
-    /// The horizon, the need and the tolerance.
+    /// The horizon, the purpose of the orbit and the tolerance.
     #[serde(flatten, serialize_with = "object::scene")]
     pub scene: Scene,
     /// The size of the trajectory; its errors are relative to this size.
@@ -119,7 +120,7 @@ pub struct Traded {
     pub is_code: bool,
     /// The settings, cheapest first.
     pub settings: Vec<Measured>,
-    /// The cheapest setting that meets the need.
+    /// The cheapest setting whose error is within the tolerance.
     pub choice: Option<Choice>,
     /// Schemes that ran out of time, each with the ε of its first skipped setting.
     #[serde(serialize_with = "object::skipped")]
@@ -146,7 +147,7 @@ pub enum CannotTrade {
     CannotRun(CannotRun),
     /// No reference trajectory was found.
     Reference(NoReference),
-    /// The need is to preserve integrals, but no claimed integral depends on the state.
+    /// Integrals are to be preserved, but no claimed integral depends on the state.
     NoIntegrals,
 }
 
@@ -182,7 +183,7 @@ impl Measured {
 }
 
 impl Traded {
-    /// Returns the cheapest setting that meets the need.
+    /// Returns the cheapest setting whose error is within the tolerance.
     #[must_use]
     pub fn choice(&self) -> Option<&Measured> {
         self.choice.as_ref().map(|choice| &choice.setting)
@@ -195,7 +196,7 @@ impl Traded {
         format!("{} from ({}) over {} units of time", self.system, point.join(", "), self.scene.horizon())
     }
 
-    /// Returns a name for the kind of error that matters for the need.
+    /// Returns the name of the error that the tolerance bounds.
     #[must_use]
     pub fn error_name(&self) -> &'static str {
         match self.scene.need() {
@@ -282,8 +283,8 @@ impl<'a> RefinementSearch<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // `coarsest` is the smallest number of steps to be tried. With a trajectory, ε·rate is then
-        // 4 in the mean; otherwise it is 1 at the start.
+        // `coarsest` is the smallest number of steps to be tried. With a trajectory, ε‖f′‖ is then
+        // 4 on average; without one, it is 1 at the start.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {

@@ -44,7 +44,8 @@ impl Prices {
         prices
     }
 
-    /// Converts prices of a step that costs `measured` to prices of a step that costs `asked`.
+    /// Converts the prices of a step with the cost `measured` to prices of a step with the cost
+    /// `asked`.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
             // The number of operations determines the time, since hundreds of them are independent.

@@ -3,7 +3,7 @@
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_systems::registry::SYSTEMS;
 
-/// Fields of five or six variables whose steps lose digits by pivots of 1 or by cancelling minors.
+/// Fields of five or six variables whose steps lose digits.
 const HARD: [(&str, &str); 6] = [
     (
         "three waves",

@@ -135,7 +135,8 @@ fn error(exact: &[(f64, f64)], next: &[f64]) -> f64 {
     largest / (size * f64::EPSILON / 2.0)
 }
 
-/// Returns the errors of some plans, and last those of elimination, at random points.
+/// Returns the errors of several plans of a step at random points, followed by the errors of
+/// elimination.
 fn errors(
     linear: &Linear<'_>,
     steps: &[&StepPlan],
@@ -236,7 +237,6 @@ fn survey(fields_of_each_dimension: u64, points: usize) -> Tally {
 fn a_step_keeps_what_elimination_keeps_as_far_as_it_is_said_to_hold() {
     let Tally { fields, limited, failures } = survey(3, 25);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    // Few fields may have a limited step, so that the test cannot pass by limiting steps.
     assert!(10 * limited <= 3 * fields, "{limited} of {fields} with a limit");
 }
 

@@ -87,7 +87,6 @@ fn claims_of_a_field_hold_or_not() {
     assert_eq!(json!([outcomes, of_field["failed"]]), json!([["proved", "proved", "failed"], 1]));
     assert_eq!(of_field["claims"][0]["id"], "field.H");
     assert_eq!(of_field["claims"][0]["detail"], "by normal forms over Q, and modulo primes");
-    // Claims that do not hold at the values of the parameters are dropped.
     let put_in = verdicts(Subject::text(field).with("a", one()));
     assert_eq!(put_in["claims"].as_array().map(Vec::len), Some(2));
     // An unchanged system of the catalog is verified by the paper's claims.

@@ -12,7 +12,6 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("a number: {value}"))
 }
 
-/// Returns the cycle found near an orbit at the time step `dt`.
 fn cycle(field: &Subject, dt: f64, more: Value) -> Value {
     let mut asked = json!({"ask": "periodic", "eps": dt / 2.0, "free": "eps"});
     asked.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());

@@ -42,7 +42,6 @@ impl Clock {
     }
 }
 
-/// A watch with a clock that records reports.
 struct Listening {
     clock: Clock,
     heard: Mutex<Vec<String>>,

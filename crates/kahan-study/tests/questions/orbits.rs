@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 
 use super::{Clock, Listening, answer, question, study};
 
-/// The flow of ẋ = x² + 1 meets a pole. The solution of x″ = −x rotates in time 2π.
 #[test]
 fn what_orbits_do() {
     let away = study(Subject::text("xdot = x^2 + 1;"));
@@ -42,7 +41,6 @@ fn crossings_of_a_plane() {
     let points = found["points"].as_array().expect("points");
     assert_eq!((points.len(), found["times"].as_array().map(Vec::len)), (2, Some(2)));
     let x = points[0][0].as_f64().expect("a number");
-    // The map preserves x² + y², and the crossing lies on this level set.
     assert!((x + 1.25_f64.sqrt()).abs() < 1e-3, "{found}");
 }
 

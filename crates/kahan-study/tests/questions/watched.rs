@@ -20,7 +20,6 @@ fn findings_are_told_when_they_are_proved() {
         let heard = watch.heard.into_inner().expect("no listener fails");
         let claims: Vec<&str> = found.claims().map(|(text, _)| text).collect();
         assert!(heard.iter().all(|text| claims.contains(&text.as_str())), "{heard:?} of {claims:?}");
-        // After the watch asked to stop, the search reports nothing more.
         assert_eq!(heard.len(), if stops_at_first { 1 } else { claims.len() });
         assert_eq!(found.report.out_of_time, stops_at_first);
     }

@@ -1,8 +1,8 @@
 //! The journal of an unfinished part. After an interruption, recorded rows are not computed again.
 //!
-//! Each process appends records of finished rows to its own file. Readers skip incomplete records,
-//! and records of another plan, version or floating-point mode. The files are deleted once the part
-//! exists.
+//! Each process appends records of finished rows to its own file. Readers stop at an incomplete
+//! record, and skip records of another plan, version or floating-point mode. The files are deleted
+//! once the part exists.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -29,7 +29,8 @@ impl Journal {
         Self { folder: part.unfinished_folder(), file: None, kind: record_kind(part) }
     }
 
-    /// Returns the tables of earlier processes, in any order, with the numbers of their first rows.
+    /// Returns the tables that earlier processes wrote, in any order, with the numbers of their
+    /// first rows.
     pub(crate) fn noted(part: &Part<'_>) -> Vec<(u64, Table)> {
         let mut noted = Vec::new();
         for path in files(&part.unfinished_folder(), JOURNAL_PREFIX, JOURNAL_SUFFIX) {

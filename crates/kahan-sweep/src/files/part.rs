@@ -45,7 +45,7 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
 /// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum UnusablePart {
-    /// The file is incomplete, altered, or a different part.
+    /// The file is incomplete or altered, or it holds another part.
     Damaged(String),
     /// The file was written for another plan, version or floating-point mode.
     Foreign(String),

@@ -22,8 +22,8 @@ pub(crate) enum TableError {
     Unwritten(io::Error),
 }
 
-/// Writes the named columns as CSV; without names, all columns. Numbers read back exactly,
-/// undefined values are NaN, and text is in quotes.
+/// Writes the named columns as CSV; without names, all columns. Numbers have enough digits to be
+/// read back exactly, undefined values are NaN, and text is in quotes.
 pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Result<(), TableError> {
     let unreadable = |why: String| TableError::Unreadable(format!("{} {why}", path.display()));
     let (names, rows) = rows(path, columns).map_err(unreadable)?;

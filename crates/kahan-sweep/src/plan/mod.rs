@@ -18,7 +18,7 @@ use sha2::{Digest, Sha256};
 #[derive(Clone, Debug)]
 pub struct Plan {
     study: Study,
-    /// The question over axes. The last axis varies fastest, except that random draws vary faster.
+    /// The question asked at each point. The last axis varies fastest, except for random draws.
     question: Question,
     points: u64,
     /// The number of rows of a part; the last part may have fewer.

@@ -17,7 +17,7 @@ use super::{Plan, select_columns};
 use crate::files::numbers;
 
 const ROWS: u64 = 100_000;
-/// The largest number of values in a part, which must fit in memory.
+/// The largest number of values in a part, because a part must fit in memory.
 const MOST_NUMBERS: u64 = 12_000_000;
 /// The largest number of parts, because Parquet counts row groups with 15 bits.
 const MOST_PARTS: u64 = 32_767;
@@ -159,7 +159,7 @@ fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Optio
     }
 }
 
-/// Records contradictions between the values, axes and draws of a question.
+/// Records contradictions between the values, axes and random draws of a question.
 fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &mut Vec<Misread>) {
     for name in written["params"].as_object().into_iter().flat_map(Map::keys) {
         if over.over.iter().any(|axis| axis.name == *name) {
@@ -180,7 +180,7 @@ fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &
     }
 }
 
-/// Returns an invalid subject as a mistake at the key that causes it.
+/// Converts the error of an invalid subject to a mistake at the key that causes it.
 fn of_subject(why: &StudyError, written: &Value) -> Misread {
     let said = why.to_string();
     let said = said.trim_start_matches("error: ").trim_end();
@@ -191,7 +191,7 @@ fn of_subject(why: &StudyError, written: &Value) -> Misread {
     }
 }
 
-/// Returns an invalid question as a mistake at the key that causes it.
+/// Converts the error of an invalid question to a mistake at the key that causes it.
 fn of_question(why: &StudyError) -> Misread {
     match why {
         StudyError::UnknownAxis { name, .. }

@@ -99,8 +99,8 @@ impl Reader<'_> {
         found
     }
 
-    /// Replaces a function call by the function's formula, or by a mistake. Returns the index of
-    /// the next token; `None` if no call begins at `at`.
+    /// Replaces a function call by the function's formula, or by a token that the parser reports.
+    /// Returns the index of the next token; `None` if no call begins at `at`.
     pub(super) fn write_call(
         &mut self,
         at: usize,

@@ -244,7 +244,6 @@ fn dyadic_numbers_are_floats_exactly_and_round_as_all_others() {
         };
         assert_eq!(exact, Rational::from(BigRational::from_float(value).unwrap()), "{value}");
         assert_eq!(exact.to_f64().to_bits(), value.to_bits() & if value == 0.0 { 0 } else { u64::MAX });
-        // The numbers have more bits than a float. The result is compared with long division.
         for odd in [bits | 1, bits >> 5 | 1, bits >> 9 | 1] {
             for shift in [0_u32, 3, 40, 63, 64, 200, 1022, 1023, 1070, 1140] {
                 let exact = Rational::from(BigRational::new(odd.into(), BigInt::one() << shift));

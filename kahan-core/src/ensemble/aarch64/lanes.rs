@@ -1,4 +1,4 @@
-//! Scalars over NEON registers, in which each operation is one instruction on all lanes.
+//! Scalars over NEON registers. Most operations are one instruction on all lanes.
 #![expect(unused_unsafe, reason = "the multiply-adds are functions of this module, which are safe to call")]
 
 use core::arch::aarch64::*;
@@ -18,7 +18,7 @@ macro_rules! machine {
     };
 }
 
-/// Defines a lane type over a NEON register. The multiply-adds are those of the named module.
+/// Defines a lane type over a NEON register. The second argument is its module of multiply-adds.
 macro_rules! lanes_of_neon {
     ($name:ident(float64x2_t), $multiply_adds:ident) => {
         lanes! {

@@ -36,7 +36,7 @@ fn operations<L: Lanes<T>, T>(a: L, b: L, c: L) -> [L; OPERATIONS] {
     ]
 }
 
-/// Computes all operations on one float. The multiply-adds have one rounding or two.
+/// Computes all operations on one float.
 macro_rules! operations_on {
     ($name:ident, $float:ty) => {
         pub(in crate::ensemble) fn $name(

@@ -1,4 +1,4 @@
-//! Scalars over x86-64 vector registers, in which each operation is one instruction on all lanes.
+//! Scalars over x86-64 vector registers. Most operations are one instruction on all lanes.
 //!
 //! AVX2 and AVX-512 fuse multiply-adds. SSE2 fuses them only in programs compiled for fused
 //! multiply-adds. The operator `==` returns whether all lanes are equal.

@@ -1,4 +1,4 @@
-//! Memory aligned to cache lines, in which no register load crosses two lines.
+//! Memory that is aligned to cache lines where possible. Register loads then cross no line.
 
 use std::vec;
 use std::vec::Vec;

@@ -129,7 +129,7 @@ impl<
 struct InteriorElimination<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
-    /// The largest multiplier with which a row of `border` was reduced.
+    /// The largest multiplier of a pivot row in the reduction of the left separator's rows.
     worst: L,
 }
 

@@ -19,7 +19,7 @@ pub struct SiteLine<L, const B: usize, const SITES: usize> {
     pub a: [[[L; B]; SITES]; B],
 }
 
-/// Sites gathered in SIMD lanes, one register per number. Kernels request the equations in order.
+/// Sites gathered in SIMD lanes, one register per number. Kernels request equations site by site.
 #[derive(Debug)]
 pub struct Gathered<'a, T, L, const C: usize> {
     /// The prepared constants of the equations.
@@ -90,8 +90,8 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // In the band, the window's first rows, which are rows of the identity, would
-                // eliminate these entries.
+                // The band does not contain these entries, because the first rows of the window,
+                // which are rows of the identity, would eliminate them.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();

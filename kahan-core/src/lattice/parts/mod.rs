@@ -39,7 +39,7 @@ pub(super) struct PartWorkspace<T> {
     partition: Partition,
     level: Level,
     scratch: Vec<Scratch<T>>,
-    /// The result of the first pass for each part, of [`separators::size`] numbers.
+    /// For each part, the [`separators::size`] numbers that the first pass computes.
     joints: Vec<T>,
     /// The old states of the separators and of the remaining sites at the end of the chain.
     kept: Vec<T>,
@@ -61,7 +61,7 @@ pub(in crate::lattice) trait PartSolver<T>: Sized + Send + Sync + 'static {
         T: LatticeScalar;
 }
 
-/// The solver for scalars without lanes, a type without values.
+/// A type without values, which replaces the solver for scalars without lanes.
 pub(in crate::lattice) enum NoPartSolver {}
 
 impl<T> PartSolver<T> for NoPartSolver {

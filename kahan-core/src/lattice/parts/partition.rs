@@ -14,7 +14,7 @@ pub(in crate::lattice) struct Partition {
     lanes: usize,
     groups: usize,
     length: usize,
-    /// The number of groups at the beginning whose parts have one more site.
+    /// The number of groups at the beginning whose parts have one site more than later parts.
     longer: usize,
 }
 
@@ -23,8 +23,8 @@ impl Partition {
         Self::with_length(sites, reach, lanes, PART_LENGTH, 4 * reach)
     }
 
-    /// Divides a chain into parts of about `about` sites. Returns `None` for parts shorter than
-    /// `least`.
+    /// Divides a chain into parts of about `about` sites. Returns `None` if the parts would be
+    /// shorter than `least` sites.
     pub(in crate::lattice) fn with_length(
         sites: usize,
         reach: usize,

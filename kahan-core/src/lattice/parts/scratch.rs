@@ -15,7 +15,7 @@ pub(in crate::lattice) struct Scratch<T> {
     pub(super) registers: Buffer<T>,
     /// The dense linear system that remains after the first pass, and its largest multiplier.
     pub(super) dense: Buffer<T>,
-    /// The rows of U with their right-hand sides. The first rows are those of the identity.
+    /// Rows of the identity, followed by the rows of U with their right-hand sides.
     pub(super) done: Buffer<T>,
     /// The solution at the separators to the left and to the right of the part.
     pub(super) known: Buffer<T>,

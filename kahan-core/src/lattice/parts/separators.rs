@@ -9,7 +9,7 @@ use crate::{Constant, Scalar};
 
 use super::partition::Partition;
 
-/// The largest allowed ratio of a separator's entry to its pivot. It costs three decimal digits.
+/// The largest allowed ratio of an entry to its pivot, at which three decimal digits are lost.
 const MAX_PIVOT_GROWTH: i64 = 1 << 10;
 
 /// Returns the number of numbers stored for a part whose separator has this many unknowns.

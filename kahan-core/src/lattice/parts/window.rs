@@ -41,7 +41,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         swap_where(&mut self.right, &mut other.right, mask);
     }
 
-    /// Returns the row with another right-hand side, and without the columns of the left separator.
+    /// Returns the row with the right-hand side `right`, without columns of the left separator.
     #[inline(always)]
     pub(super) fn without_left(self, right: L) -> WindowRow<L, B, 0, WIDTH> {
         WindowRow { band: self.band, left: [], right }

@@ -63,7 +63,7 @@ impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
         self.eps
     }
 
-    /// Returns the orbit of X = εx at ε = 1, in whose variables integrals can be evaluated.
+    /// Returns the orbit of X = εx at ε = 1, for example to evaluate integrals at its points.
     pub fn into_inner(self) -> Orbit<S> {
         self.orbit
     }

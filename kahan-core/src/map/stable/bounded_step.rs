@@ -11,7 +11,7 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, BoundedPair, InputLimit, Magnitude, Number, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
-/// A next state with an error bound for every component. The bound excludes the last roundings.
+/// A next state and its error bound, which excludes the roundings of the last product and sum.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundedStep<V: Number, const N: usize> {
     pub(super) next: [V; N],
@@ -109,7 +109,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         })
     }
 
-    /// Returns whether the error, with one more rounding, is below `limit` times the maximum norm.
+    /// Returns whether the error, plus one more rounding, is below `limit` times the maximum norm.
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();

@@ -39,8 +39,8 @@ pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
 /// Takes a step with the error bound 64 u over floats of this crate (u is the rounding unit). Other
 /// scalars get a finite result without a bound.
 ///
-/// Floats ignore `prepared`, because its numbers are rounded without a bound. In a loop compilers
-/// move the preparation over bounded numbers out of the loop.
+/// Floats ignore `prepared`, because its numbers are rounded without a bound. They prepare the step
+/// over bounded numbers, which compilers move out of a loop.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,

@@ -23,8 +23,8 @@ use crate::{ExtendScalars, KahanMap, PreparedStep, SingularStep};
 use super::bounded_step::BoundedStep;
 use super::scalars::PromiseScalar;
 
-/// The error bound as a multiple of the rounding unit u. One of the 64 u is reserved for the
-/// difference between ‖x̃‖∞ and ‖exact‖∞.
+/// The bound that a step must satisfy, as a multiple of the rounding unit u. The promised bound is
+/// one u larger, to cover the difference between ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const ERROR_BOUND: f64 = 63.0;
 
 /// Up to this number of operations, values and magnitudes are computed separately. In short steps,
@@ -50,7 +50,7 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: PromiseScalar, const N
     }
 }
 
-/// Runs precision level 1 in the general form, for an ε by which the step must not divide.
+/// Runs precision level 1 without divisions by ε, because ε is too small or too large for them.
 #[cold]
 #[inline(never)]
 pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(

@@ -120,8 +120,8 @@ impl<T: PromiseScalar> LongElimination<T> {
     }
 }
 
-/// Eliminates with growing capacity until x̃ is proved or `is_kept` accepts it. Returns `None` if
-/// no capacity suffices.
+/// Eliminates with growing capacity until the error bound of x̃ is proved or `is_kept` accepts x̃.
+/// Returns `None` if no capacity suffices.
 #[cfg(feature = "std")]
 pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
     eliminated: impl Fn(Capacity) -> Option<LongElimination<T>>,

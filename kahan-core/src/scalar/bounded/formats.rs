@@ -12,7 +12,7 @@ const LOST_OF_DOUBLES: i32 = -1074;
 // An operation on pairs consists of several float operations, each of which may underflow.
 const LOST_OF_PAIRS: i32 = -1070;
 
-/// Steps with inputs outside of this narrow range are computed in `f64`.
+/// The range of `f32`, which is narrow. Steps with inputs outside of it are computed in `f64`.
 const SINGLE: Range = Range::of(LOST_OF_SINGLES, -40, 4, BITS_OF_SINGLE_STEPS);
 
 const ALLOWANCE_OF_DOUBLES: i32 = -150;

@@ -28,7 +28,8 @@ impl<G: Magnitude> KnownBounds<G> {
 }
 
 /// Returns an upper bound of the backward error of a row. `products` is a lower bound of |A|·|x̃|.
-/// The result is infinite if inputs up to `largest` may underflow, or if a bound is NaN.
+/// The result is infinite if a bound is NaN, or does not cover underflow for inputs up to
+/// `largest`.
 pub(crate) fn backward_error<G: Magnitude>(
     residual: KnownBounds<G>,
     products: G,

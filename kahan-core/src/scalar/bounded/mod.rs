@@ -96,7 +96,7 @@ pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     roundings: u32,
     /// The number of operations that may underflow; see "Underflow" in the module's head.
     underflows: u32,
-    /// The largest number of inputs in a product. `bits` counts the bits of the other factors.
+    /// The largest number of inputs in a product, whose other factors are at most 2^`bits`.
     inputs: u32,
     bits: u32,
     /// An approximation of 1/|value|, for a quotient whose numerator is an integer constant.
@@ -140,8 +140,8 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         InputLimit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
-    /// Creates a value without a bound, which allows no input. An infinite magnitude alone would
-    /// give 0·∞ = NaN.
+    /// Creates a value whose error is unknown. With the largest `bits` every input is too large. An
+    /// infinite magnitude alone does not suffice, because 0·∞ = NaN.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = BoundedPair::new(value, V::Magnitude::of(f64::INFINITY));

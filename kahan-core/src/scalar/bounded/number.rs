@@ -49,7 +49,7 @@ pub(crate) struct Range {
 
 const POWER_OF_UNDERFLOWS: i32 = 10;
 
-/// The largest count of underflows that allowances cover.
+/// The largest number of underflows in a formula that its error bound covers.
 pub(crate) const MOST_UNDERFLOWS: u32 = 1 << POWER_OF_UNDERFLOWS;
 
 impl Range {

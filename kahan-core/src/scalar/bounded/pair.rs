@@ -4,8 +4,8 @@ use core::fmt::Debug;
 
 use super::number::Number;
 
-/// A value with its magnitude. The magnitudes of a sum or a difference are added, and those of a
-/// product are multiplied.
+/// A value with its magnitude. Sums and differences add the magnitudes of their operands, and
+/// products multiply them.
 pub(crate) trait BoundedPair<V: Number>: Copy + Debug + 'static {
     fn new(value: V, magnitude: V::Magnitude) -> Self;
     fn value(self) -> V;

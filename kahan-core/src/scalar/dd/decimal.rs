@@ -89,7 +89,7 @@ impl Decimal {
             return;
         }
         let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
-        // The last stored digit is not 0. If more digits follow a dropped 5, this is no tie.
+        // The last stored digit is not 0. Therefore digits after a dropped 5 exclude a tie.
         let has_rest = self.length > count + 1 || self.is_cut;
         let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
         self.length = count;

@@ -1,7 +1,8 @@
 //! Double-double numbers: unevaluated sums of two `f64`, with about 32 decimal digits.
 //!
-//! The four operations, the square root and elementary functions have errors of a few u² for u =
-//! 2⁻⁵³. The exponent range is that of `f64`. Conversions from and to text are exact.
+//! The four operations, the square root, exponential and logarithm have relative errors from 3u²
+//! to 32u² for u = 2⁻⁵³. Sine and cosine have an additional error of 2⁻¹⁵⁵ of the argument. The
+//! exponent range is that of `f64`. Conversions from and to text round correctly.
 
 mod arithmetic;
 mod decimal;
@@ -25,8 +26,8 @@ mod traits;
 /// | operation | bound | source |
 /// |---|---|---|
 /// | `+`, `-` | 3u² + 13u³ | AccurateDWPlusDW: Joldeş, Muller, Popescu, ACM Trans. Math. Softw. 44 (2017) |
-/// | `*` | 5u² | DWTimesDW2, or 1 without fused multiply-adds: Muller, Rideau, ACM Trans. Math. Softw. 48 (2022) |
-/// | `/`, `recip` | 14u² | one correction of the quotient; the terms stand beside the code |
+/// | `*` | 5u² | DWTimesDW2, without fused multiply-adds DWTimesDW1: Muller, Rideau, ACM Trans. Math. Softw. 48 (2022) |
+/// | `/`, `recip` | 14u² | one correction of the quotient; proved in a comment of the code |
 /// | [`sqrt`](Dd::sqrt) | 4u² | SQRTDWtoDW: Lefèvre, Louvet, Muller, Picot, Rideau, ACM Trans. Math. Softw. 49 (2023), 25/8 u² |
 /// | [`exp`](Dd::exp), [`ln`](Dd::ln) | 12u², 32u² | series of a reduced argument |
 /// | [`sin`](Dd::sin), [`cos`](Dd::cos) | 16u², and 2⁻¹⁵⁵ of the argument | series of a reduced argument |

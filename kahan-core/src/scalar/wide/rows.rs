@@ -1,4 +1,4 @@
-//! Exact sums and products of sparse rows of base-2⁶⁴ digits.
+//! Sums and products of sparse rows of base-2⁶⁴ digits, exact up to digits that are cut off.
 //!
 //! Digits are signed, from −2⁶³ to 2⁶³ − 1. The value of a row is Σ digit·2^(64·place), which has
 //! the sign of the leading digit. A full row cuts off low digits, and stores a bound on them.

@@ -55,8 +55,8 @@ fn check_sums(seed: u64, count: usize) {
     }
 }
 
-/// An operation nearly reaches its bound at these operands, which a search found. Those of the sum
-/// are from the paper of Joldeş, Muller and Popescu.
+/// Each operation nearly reaches its bound at these operands. Those of the sum are from the paper
+/// of Joldeş, Muller and Popescu, and a search found the others.
 #[test]
 fn the_bounds_are_nearly_reached() {
     let of_bits = |high: u64, low: u64| Dd::new(f64::from_bits(high), f64::from_bits(low));

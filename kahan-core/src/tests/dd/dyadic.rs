@@ -45,7 +45,7 @@ impl Dyadic {
         }
     }
 
-    /// Returns n, m and e for numbers n·2ᵉ and m·2ᵉ.
+    /// Returns n, m and e with self = n·2ᵉ and other = m·2ᵉ.
     fn aligned(self, other: Self) -> (BigInt, BigInt, i32) {
         if self.significand.is_zero() || other.significand.is_zero() {
             let exponent = if self.significand.is_zero() { other.exponent } else { self.exponent };

@@ -21,7 +21,7 @@ impl fmt::Display for ParsePreciseError {
 
 impl core::error::Error for ParsePreciseError {}
 
-/// The largest decimal exponent that is accepted. Larger exponents would exhaust the memory.
+/// The largest decimal exponent that is accepted. Numbers with larger exponents exhaust the memory.
 const EXPONENT_LIMIT: isize = 100_000;
 
 impl FromStr for Float256 {

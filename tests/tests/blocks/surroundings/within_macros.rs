@@ -29,7 +29,7 @@ mod in_one_piece {
     }
 }
 
-/// Defines a map from an expression and a name of the caller, and takes a step.
+/// Defines a map from an expression and a name of the caller, and makes a step.
 macro_rules! decay {
     ($rate:ident, $x:expr) => {{
         let x = $x;

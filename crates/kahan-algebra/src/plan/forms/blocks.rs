@@ -36,12 +36,14 @@ pub(in crate::plan) struct Blocks<'a> {
     first: usize,
 }
 
-/// A block of states. Minors of `rows` solve for the states `rest`. Then the independent states get
-/// the increments 2ε·`moved`.
+/// A block of states, split into `independent` states, which do not depend on each other, and
+/// `rest`. Minors of `rows` solve for the rest. Then the independent states get the increments
+/// 2ε·`moved`.
 #[derive(PartialEq)]
 struct Block {
     rest: Vec<usize>,
-    /// The matrix A_RR − A_RS·A_SR with the right-hand side as last column, in order of expansion.
+    /// The equations of `rest` after the independent states were eliminated, with the right-hand
+    /// side as last column.
     rows: Vec<Vec<Polynomial>>,
     independent: Vec<usize>,
     moved: Vec<Polynomial>,
@@ -126,8 +128,6 @@ impl<'a> Blocks<'a> {
         self.structure.blocks().into_iter().filter(|block| block[0] >= self.first)
     }
 
-    /// Prepares a block with rows sorted by `in_order`. Returns `None` if an entry has too many
-    /// terms.
     fn block(
         &self,
         block: &[usize],
@@ -141,14 +141,15 @@ impl<'a> Blocks<'a> {
         Some(Block { rest, rows: in_order(rows), independent, moved })
     }
 
-    /// Returns A_RR − A_RS·A_SR with the right-hand side ε(P_R − A_RS·P_S) as last column.
+    /// Returns the equations of the states in `rest` after the independent states were eliminated,
+    /// with the right-hand side as last column.
     fn reduced_rows(
         &self,
         block: &[usize],
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        // Rows for a tangent vector contain no ε, because their reciprocal contains it.
+        // For a tangent vector, the rows contain no factor ε, because the reciprocal contains it.
         let eps = match self.is_tangent() {
             true => Polynomial::one(),
             false => Polynomial::variable(self.field.symbols.epsilon()),

@@ -44,8 +44,8 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether no prepared constant is rounded twice. Returns `true` for dissipative
-    /// fields.
+    /// Returns whether no prepared constant is rounded twice. Always true for dissipative fields,
+    /// which have no integrals.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
@@ -59,8 +59,8 @@ impl Writer {
         (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
     }
 
-    /// Returns whether no prepared constant of `step` is rounded twice. Returns `true` for
-    /// dissipative fields.
+    /// Returns whether no prepared constant of `step` is rounded twice, or the field is
+    /// dissipative.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
         self.kernel(&[step]).1 == 0
     }

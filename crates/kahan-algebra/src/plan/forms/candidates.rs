@@ -25,16 +25,17 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// Numerators as products of factors are tried with this many of the cheapest denominators.
+/// Numerators that are written as products are tried with this many of the cheapest denominators.
 const TRIED_DENOMINATORS: usize = 2;
-/// If the factors have more terms in total, only numerators as determinants are tried.
+/// If the factors of the numerators have more terms in total than this, numerators are written as
+/// determinants where possible.
 const FACTOR_TERMS: usize = 32;
 
 /// This many orders of rows are compared for the blocks of a field with few terms.
 const ROW_ROTATIONS: usize = 3;
-/// Blocks of larger fields use a single order of rows.
+/// Orders of rows are compared for fields of at most this many terms.
 const COMPARED_TERMS: usize = 60;
-/// Reduced maps with more terms are not written out if another form exists.
+/// The reduced map is written out if it has at most this many terms, or if no other form exists.
 const WRITTEN_TERMS: usize = 120;
 
 /// This many orders of rows are compared for blocks without elimination.
@@ -46,7 +47,7 @@ pub(in crate::plan) struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    /// Returns forms for a single orbit that may have a recurrence below `recurrence`.
+    /// Returns forms for a single orbit in which the time of a step may be below `recurrence`.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -54,9 +55,8 @@ impl Forms<'_> {
     }
 }
 
-/// Finds the cheapest form of a field's step. With `kept`, products of sums stay as written there.
-/// Otherwise forms use A and the reduced map. Returns `None` if the field is too large for
-/// straight-line code.
+/// Finds the cheapest form of a field's step. If `kept` is given, products of sums stay as written
+/// there. Returns `None` if the field is too large for straight-line code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&FieldWithSubexpressions>,
@@ -82,7 +82,6 @@ pub(crate) fn forms<'a>(
     Some(Forms { best, factored })
 }
 
-/// Returns whether the step may be solved block by block.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
@@ -162,8 +161,8 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Writes the denominator as a determinant of A, for two or three states and if no common
-    /// factor was divided out.
+    /// Writes the denominator as a determinant of A, if there are two or three states and no common
+    /// factor was divided out of the map.
     fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
         let n = self.field.dimension();
         if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {

@@ -71,8 +71,8 @@ impl<'a> FactoredMap<'a> {
         }
     }
 
-    /// Writes a form for a denominator p·q with `factors` p and q. Numerators that contain q are
-    /// divided only by p and multiplied by the power `short` of ε.
+    /// Writes a form for a denominator p·q, where `factors` are p and q. Numerators that contain
+    /// the factor q are divided only by p, and multiplied by the power `short` of ε.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],

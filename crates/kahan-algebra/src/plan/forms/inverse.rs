@@ -19,7 +19,8 @@ use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::scaling::{is_power_of_two, over_eps};
 use crate::plan::writing::writer::Writer;
 
-/// With a higher power of ε, numbers would leave the range of a float too early.
+/// The largest power of ε by which forms are divided. With higher powers, floats overflow or
+/// underflow too early.
 const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
@@ -28,7 +29,7 @@ impl FactoredMap<'_> {
     /// rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // If each term has a single prepared constant, division by ε saves nothing.
+            // The division by ε saves nothing, because each term has a single prepared constant.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
@@ -71,9 +72,9 @@ impl FactoredMap<'_> {
         writer.write(&gathered, FormGoal::Early)
     }
 
-    /// Writes x̃ − x = (n/εᵏ⁻¹)·c/q for numerators n, where q is written as `denominator`. Here c/q
-    /// = 2/(d/εᵏ) for the denominator d. Returns `None` if the recurrence is too long, or if a
-    /// constant is rounded twice.
+    /// Writes the increment 2εn/d as (n/εᵏ⁻¹)·c/q, where k is `power` and `denominator` is the
+    /// written q = c·d/(2εᵏ). Returns `None` if a step would wait too long for the previous step,
+    /// or if a constant is rounded twice.
     fn over_power(
         &self,
         power: u32,
@@ -98,8 +99,8 @@ impl FactoredMap<'_> {
         moving.map(|(i, _)| self.field.symbols.state(i)).collect()
     }
 
-    /// Returns forms for a denominator p·q. Numerators n over p become 2(n/εᵏ⁻¹)/(p/εᵏ). Numerators
-    /// n over p·q become 2(n/εᵏ)/(p/εᵏ)/(q/ε).
+    /// Returns forms for a denominator p·q. The increment 2εn/p becomes 2(n/εᵏ⁻¹)/(p/εᵏ), and
+    /// 2εn/(p·q) becomes 2(n/εᵏ)/(p/εᵏ)/(q/ε).
     fn two_divisions_over_time_step(&self) -> Vec<Candidate> {
         let Some((needed, other)) = self.two_factors() else { return Vec::new() };
         let epsilon = self.field.symbols.epsilon();

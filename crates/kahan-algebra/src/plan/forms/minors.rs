@@ -114,8 +114,8 @@ pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     count
 }
 
-/// Returns the order of rows with the given rank among the cheapest. Rotations of the given order,
-/// of sparse rows first and of dense rows first are compared.
+/// Returns the order of rows that has the given rank by cost. Candidates are the rotations of three
+/// orders: the given one, sparse rows first, and dense rows first.
 pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
     let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();
@@ -136,5 +136,6 @@ pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<us
 }
 
 const MOST_MINORS: usize = 4096;
-/// In blocks with more operations, elimination is faster than Cramer's rule.
+/// The most operations of a block that is solved by Cramer's rule. For larger blocks, elimination
+/// is faster.
 pub(in crate::plan) const MOST_OPERATIONS: usize = 600;

@@ -44,9 +44,9 @@ impl Structure {
     }
 }
 
-/// Returns the strongly connected components of the dependency graph. Each component comes after
-/// those on which it depends, so A is block triangular. The list `depends[i]` has the states in fᵢ.
-/// Components that depend on few states of others come first.
+/// Returns the strongly connected components of the dependency graph, where `depends[i]` has the
+/// states in fᵢ. Each component comes after those on which it depends, so A is block triangular.
+/// Components that depend on fewer other states come first.
 pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut blocks = components(depends);
     let mut block_of = vec![0; depends.len()];

@@ -19,7 +19,8 @@ use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Plan};
 
 const ROW_ORDERS: usize = 3;
-/// If a plan needs more operations, a second step from x + δv with a small δ is as cheap.
+/// The most operations of a plan. A longer plan would cost as much as a second step, from x + δv
+/// with a small δ.
 const MOST_OPERATIONS: usize = 300;
 
 /// Returns the plan of ṽ from x, v and x̃. The first half of the second states is x̃. Returns

@@ -7,8 +7,8 @@ use kahan_syntax::rational::Rational;
 
 use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
 
-/// Returns the kernel with chosen signs of reciprocals. The cost is proportional to operations ·
-/// components.
+/// Chooses the signs of reciprocals such that few numerators need a negation. The cost is
+/// proportional to operations · components.
 #[must_use]
 pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     let plan = &kernel.plan;

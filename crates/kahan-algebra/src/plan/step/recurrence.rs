@@ -79,7 +79,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
             Operation::Negate(a) => arrival[a.0],
             Operation::Add(a, b) | Operation::Subtract(a, b) => {
                 let summand = |summand: Node| match operations[summand.0] {
-                    // The product may join a multiply-add.
+                    // The multiplication may be fused with the addition.
                     Operation::Multiply(c, d) => Some(arrival[c.0].max(arrival[d.0])? + FUSED),
                     _ => Some(arrival[summand.0]? + ADD),
                 };

@@ -11,9 +11,9 @@ const NEGATION_COST: usize = 4;
 
 const ROUNDS: usize = 4;
 
-/// Returns constants and kernel with chosen signs. Neither the number of operations nor the
-/// critical path increases. The search costs a few times operations² for each prepared difference
-/// and each subtraction.
+/// Chooses the signs of prepared differences such that the kernel has few negations and
+/// subtractions. Neither the number of operations nor the critical path increases. The search costs
+/// a few times operations² for each prepared difference and each subtraction.
 #[must_use]
 pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
     let search = SignSearch::new(&constants, &kernel);
@@ -44,9 +44,8 @@ struct SignSearch<'a> {
 }
 
 struct Signs {
-    /// Whether each value has the opposite sign.
+    /// Whether each value is replaced by its negative.
     negative: Vec<bool>,
-    /// Whether a choice at each operation affects the cost.
     is_choice: Vec<bool>,
     cost: usize,
 }
@@ -67,8 +66,9 @@ impl<'a> SignSearch<'a> {
         SignSearch { kernel, prepared, is_free }
     }
 
-    /// Returns the best choice that [`Self::locally_improved`] finds from several starts. In some
-    /// starts a single constant is reversed, or everything on which a negated result depends.
+    /// Returns the best choice that [`Self::locally_improved`] finds from several starts. Some
+    /// starts reverse the sign of a single constant, or of everything on which a negated result
+    /// depends.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
         let mut best = self.locally_improved(none.clone());
@@ -200,7 +200,8 @@ impl<'a> SignSearch<'a> {
     }
 }
 
-/// Returns whether each summand has the opposite sign. Other operations give (false, false).
+/// Returns whether each summand of a sum has a minus sign, where `of` gives the signs of the
+/// operands. Returns (false, false) for other operations.
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),

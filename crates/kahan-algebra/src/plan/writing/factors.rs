@@ -5,10 +5,10 @@ use kahan_syntax::rational::Rational;
 
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 
-/// Polynomials stay unfactored beyond this much work.
+/// The budget for the factors of polynomials. Polynomials stay unfactored if it is spent.
 const FACTORING_WORK: u64 = 20_000;
 const MAX_FACTORED_TERMS: usize = 60;
-/// Discriminants of longer polynomials are not computed.
+/// Discriminants are computed only for polynomials of at most this many terms.
 const QUADRATIC_TERMS: usize = 16;
 
 /// A polynomial written as coefficient · monomial · ∏ factor^exponent.
@@ -39,8 +39,8 @@ pub(in crate::plan) fn factored(polynomials: &[&Polynomial]) -> Vec<Factored> {
     polynomials.iter().map(|polynomial| over_base(polynomial, &base)).collect()
 }
 
-/// Returns pairwise coprime polynomials. The given polynomials are products of their powers, up to
-/// monomials and constants.
+/// Returns pairwise coprime polynomials. Each given polynomial is a product of powers of the
+/// returned ones, up to monomials and constants.
 fn coprime_base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     let mut budget = Budget::new(MAX_FACTORED_TERMS * MAX_FACTORED_TERMS, FACTORING_WORK);
     let mut waiting: Vec<Polynomial> =
@@ -187,7 +187,6 @@ mod tests {
         }
     }
 
-    /// In E6, two numerators have the common factor y + ε(x² − z²).
     #[test]
     fn the_numerators_of_e6_are_products() {
         let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
@@ -195,7 +194,6 @@ mod tests {
         assert_eq!(lengths, [vec![3, 3], vec![4, 4], vec![3, 3], vec![7]]);
     }
 
-    /// In E3, the third numerator has the factor x² + y² in all coefficients of powers of z.
     #[test]
     fn what_coefficients_share_is_a_factor() {
         let (_, _, factored) = factors_of("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");

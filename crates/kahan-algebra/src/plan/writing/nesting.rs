@@ -19,16 +19,17 @@ use kahan_program::cost::{ADD, MULTIPLY};
 use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
-/// In longer polynomials, the most frequent variable is factored out.
+/// The ways to factor out a variable are compared for polynomials of at most this many terms. In
+/// longer ones, the most frequent variable is factored out.
 const MAX_COMPARED_TERMS: usize = 12;
 
 const MOST_LOOKED_AT: usize = 1_000_000;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum FormGoal {
-    /// The value should be ready early. All operations wait for a denominator.
+    /// The value should be ready early, like a denominator, for which all later operations wait.
     Early,
-    /// The value should need few operations. Numerators are computed during a division.
+    /// The value should need few operations, like a numerator, which is computed during a division.
     Few,
 }
 
@@ -157,12 +158,14 @@ impl Nesting {
         counts.into_iter().map(|(variable, _)| variable).collect()
     }
 
-    /// Returns whether a variable may be factored out. Parameters stay in prepared constants.
+    /// Returns whether a variable may be factored out. Parameters may not, because they stay in
+    /// prepared constants.
     fn may_be_out(&self, variable: Variable) -> bool {
         variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }
 
-    /// Estimates the form that adds term by term. Terms without states are one prepared summand.
+    /// Estimates the form that adds term by term. The terms without states are added in advance, to
+    /// one prepared constant.
     fn estimate_flat(&self, polynomial: &Polynomial) -> Estimate {
         let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: SumForm::Flat };
         let mut has_fixed = false;
@@ -258,18 +261,18 @@ fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
 /// A prepared constant that is rounded twice costs as much as this many operations.
 pub(in crate::plan) const DERIVED_CONSTANT_PRICE: usize = 3;
 
-/// Returns the cycle when a sum is ready. Early values are added first.
+/// Returns the cycle in which a sum is ready, if early values are added first.
 fn sum_ready(ready: &[u32]) -> u32 {
     combined_ready(ready.to_vec(), ADD)
 }
 
-/// Returns the cycle when a product is ready. Early values are multiplied first.
+/// Returns the cycle in which a product is ready, if early values are multiplied first.
 fn product_ready(ready: Vec<u32>) -> u32 {
     combined_ready(ready, MULTIPLY)
 }
 
-/// Returns the cycle when a single value is left. Each operation takes `latency` cycles and
-/// combines the two earliest values.
+/// Returns the cycle in which a single value is left, if each operation combines the two earliest
+/// values and takes `latency` cycles.
 fn combined_ready(all: Vec<u32>, latency: u32) -> u32 {
     let mut ready = sorted_by_key(all, |at| Reverse(*at));
     while let [.., later, _] = ready[..] {

@@ -63,8 +63,8 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds a product with a power of ε. The power goes to the factor that gives the fewest
-    /// operations.
+    /// Adds a product with a power of ε. The power is multiplied into the factor for which this
+    /// takes the fewest operations.
     pub(in crate::plan) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {
             let zero = writer.draft.zero();

@@ -147,7 +147,6 @@ impl PlanDraft {
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         const MOST_COMPARED: usize = 64;
 
-        // Equal factors, as in powers, form one run.
         let mut runs: Vec<Range<usize>> = Vec::new();
         for run in factors.chunk_by(|a, b| a == b) {
             let start = runs.last().map_or(0, |last| last.end);
@@ -187,7 +186,7 @@ impl PlanDraft {
     /// Returns the sum of signed terms up to a sign, which is part of the result.
     pub(in crate::plan) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
         self.settle();
-        // Among values that are ready at equal times, the latest sum is added first.
+        // Among values that are ready at the same time, the sum made last is added first.
         let waiting = terms.iter().zip(0_i64..);
         let mut waiting: BinaryHeap<_> =
             waiting.map(|(&term, place)| Reverse((self.order(term.node), place, term))).collect();
@@ -251,7 +250,6 @@ mod tests {
         draft
     }
 
-    /// Comparing all pairs of a thousand equal factors would take too long.
     #[test]
     fn a_long_power_is_made_by_squaring() {
         assert_eq!(product_of(1, 1 << 10).length(), 11);

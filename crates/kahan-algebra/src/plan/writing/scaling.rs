@@ -15,7 +15,7 @@ use kahan_program::cost::{DIVIDE, MULTIPLY};
 const FIRST_COEFFICIENT: u16 = 1 << 15;
 /// The variable that names 1/(2ε) in all forms.
 pub(in crate::plan) const INVERSE_STEP: Variable = Variable(FIRST_COEFFICIENT - 1);
-/// The approximate cycle when the image of a state is ready. A division comes before it.
+/// The approximate cycle in which the image of a state is ready, after a division.
 const STATE_IMAGE_CYCLE: u32 = 2 * DIVIDE;
 
 /// The symbols of a term that are multiplied by its powers of ε first.
@@ -167,7 +167,8 @@ pub(in crate::plan) fn is_power_of_two(coefficient: &Rational) -> bool {
         .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
 }
 
-/// Returns the scalings to try, with the preferred one first.
+/// Returns the scalings to try: which symbols of a term are multiplied by ε. The preferred one
+/// comes first.
 pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {
@@ -192,7 +193,6 @@ pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Va
 mod tests {
     use super::*;
 
-    /// For example, (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy with h = 1/(2ε).
     #[test]
     fn eps_cancels_as_far_as_a_term_has_it() {
         let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));

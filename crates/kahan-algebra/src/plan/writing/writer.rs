@@ -20,10 +20,12 @@ use crate::plan::writing::plan_draft::{PlanDraft, Signed};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
-/// In longer polynomials, multiples of sums are not sought, because the search has quadratic cost.
+/// Multiples of sums are sought only in polynomials of at most this many terms, because the cost of
+/// the search is quadratic.
 const MAX_REUSE_TERMS: usize = 24;
 
-/// From sums of at most this many terms, common constants are not factored out.
+/// For sums of at most this many terms, the form with a common constant factored out is compared
+/// with the form without.
 const MAX_UNFACTORED_TERMS: usize = 3;
 
 /// An entry of a matrix as a written value, and as a polynomial if it is known.

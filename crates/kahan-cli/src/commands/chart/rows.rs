@@ -7,7 +7,7 @@ use kahan_study::{Axis, Range};
 use crate::printing::{UsageError, joined};
 use crate::reading::{self, named, number, over};
 
-/// A column of a file, and the rows of the file to draw.
+/// A column of a file, and the rows of this file that are drawn.
 pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
     /// Ranges, or names of columns whose values are the midpoints of the cells.
@@ -110,7 +110,6 @@ fn choice(given: &str) -> Result<(&str, f64), UsageError> {
 #[derive(Clone, Copy, Debug, Default)]
 struct Cell {
     rows: usize,
-    /// The number of values in the sum.
     numbers: usize,
     sum: f64,
 }

@@ -13,7 +13,7 @@ struct AxisCombinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The systems at the first combinations of values, which are cached.
+    /// The systems at the first combinations of values. The others are not cached.
     few: Vec<Study>,
 }
 

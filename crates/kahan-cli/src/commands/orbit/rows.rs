@@ -28,7 +28,6 @@ impl Orbit {
             Err(WriteError::ReaderGone) => Vec::new(),
             Err(WriteError::Failed(why)) => return Ok(Answer::text(String::new()).with_complaint(Some(why))),
         };
-        // If a file holds the rows, the answer describes the file.
         let answer = match file {
             Some(path) if self.json => {
                 head.insert("out".to_owned(), json!(path.display().to_string()));
@@ -86,7 +85,7 @@ fn ended(endings: &[Ending]) -> Map<String, Value> {
     entries.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
-/// Says how many orbits ended early, and why the first did; `None` if all are complete.
+/// Says how many orbits ended early, and why the first of them ended; `None` if none did.
 fn complaint(endings: &[Ending]) -> Option<String> {
     let early = endings.iter().enumerate();
     let mut early = early.filter_map(|(orbit, ending)| Some((orbit, ending.in_words(option)?)));

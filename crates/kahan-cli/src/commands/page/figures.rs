@@ -35,7 +35,7 @@ impl AnsweredQuestion {
         AnsweredQuestion { line: CommandLine::asking(&field.words, &question), answer }
     }
 
-    /// Returns the HTML of the answer or of the refusal, followed by the command line.
+    /// Returns the HTML of the answer or of the error message, followed by the command line.
     pub(super) fn html(&self) -> Markup {
         html! {
             @match &self.answer {
@@ -137,7 +137,7 @@ impl Subject<'_> {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
         };
-        // The first range of a chart varies fastest. In a question, the last axis does.
+        // The first range of a chart varies fastest, but in a question the last axis does.
         let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
             let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
             let range = range.expect("printed numbers make a range");
@@ -187,25 +187,23 @@ impl Subject<'_> {
         figure(id, title, &line, drawn)
     }
 
-    /// Returns the number of steps for exponents, which falls with the number of variables.
+    /// Returns the number of steps for Lyapunov exponents; more variables get fewer steps.
     fn steps(&self) -> u64 {
         let variables = self.variables.len() as u64;
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
     }
 
-    /// Returns the number of steps for a section.
     fn crossing_steps(&self) -> u64 {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as u64
     }
 
-    /// Returns the number of cells in a row of the chart.
     fn cells(&self) -> usize {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
     }
 
-    /// Asks for orbits from points between the start and the middle of the start's orbit.
+    /// Asks for orbits whose initial points lie between the given one and the centre of its orbit.
     fn many_orbits(&self, steps: u64) -> PictureRequest {
         let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
@@ -272,7 +270,7 @@ pub(super) fn command(line: &CommandLine) -> Markup {
 /// Explains by the numbers of crossings whether a section shows curves or areas.
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
-    /// Orbits are called periodic if they cross at each place at least this often, on average.
+    /// An orbit is called periodic if it comes back to each of its points this often, on average.
     const PERIODIC_VISITS: usize = 10;
 
     let of =

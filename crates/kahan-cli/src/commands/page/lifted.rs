@@ -12,7 +12,7 @@ use crate::printing::{UsageError, joined};
 use crate::reading::{Block, Source};
 
 impl Page {
-    /// Returns the source and its block. A lifted field's text gets the start of the orbit.
+    /// Returns the source and its block. The initial point is inserted into a lifted field's text.
     pub(super) fn with_chosen_start(&self, block: &Block) -> Result<(Source, Block), UsageError> {
         let as_given = (self.source.clone(), block.clone());
         let study = self.source.study_of_block(block, self.at.as_deref())?;

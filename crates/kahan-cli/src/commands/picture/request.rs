@@ -35,9 +35,9 @@ pub(crate) struct PictureRequest {
 pub(crate) enum PictureContent {
     /// Orbits in the plane or in space.
     Portrait,
-    /// Crossings of orbits with a section. [`PictureRequest`] gives ε and the first points.
+    /// Crossings of orbits with a section. [`PictureRequest`] gives ε and the initial points.
     Section(Box<Section>),
-    /// An orbit diagram. [`PictureRequest`] gives the first points and the number of steps.
+    /// An orbit diagram. [`PictureRequest`] gives the initial points and the number of steps.
     Over(Box<Diagram>),
     /// The growth of the heights of an exact orbit.
     Heights,
@@ -197,7 +197,7 @@ impl PictureRequest {
         )))
     }
 
-    /// Calls `ask` for each start while time remains. Also returns whether time ran out.
+    /// Calls `ask` for each initial point while time remains. Also returns whether time ran out.
     fn ask_each<A>(
         &self,
         starts: &[Vec<Rational>],
@@ -208,7 +208,7 @@ impl PictureRequest {
             ProgressDisplay::new((starts.len() as u64).saturating_mul(steps), "steps").within(self.seconds);
         let mut found = Vec::new();
         for at in starts {
-            // `ask` is called for the first start in any case, because it may refuse the question.
+            // `ask` is called for the first point in any case, because it may refuse the question.
             if prompt.is_over() && !found.is_empty() {
                 break;
             }

@@ -17,7 +17,7 @@ pub(crate) enum StartSpec {
     Line(Vec<Rational>, Vec<Rational>),
 }
 
-/// The number and the distribution of the first points that each `--at` gives.
+/// The number and the distribution of the initial points that each `--at` gives.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StartSpread {
     /// The number of points; `None` if `--at` is the only point.
@@ -56,7 +56,7 @@ impl fmt::Display for StartSpec {
 }
 
 impl StartSpread {
-    /// Returns all first points, in the order of `at`.
+    /// Returns all initial points, in the order of `at`.
     pub(super) fn starts(&self, at: &[StartSpec]) -> Vec<Vec<Rational>> {
         let mut random = SplitMix64::new(self.seed);
         let starts = at.iter().flat_map(|at| match (at, self.count) {

@@ -13,7 +13,6 @@ fn object(arguments: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).expect("one object")
 }
 
-/// Returns the rows without n and t.
 fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {output:?}");
@@ -22,7 +21,7 @@ fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(row).collect()
 }
 
-/// A target with fused multiply-adds rounds generated code differently.
+/// Generated code rounds differently on targets with fused multiply-adds.
 #[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn orbits_of_every_order_are_those_of_the_library_bit_for_bit() {

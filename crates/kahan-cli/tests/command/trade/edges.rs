@@ -32,7 +32,7 @@ fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     assert!((number(&object, "scale") / 1.564_f64.tan() - 1.0).abs() < 1e-11, "{}", object["scale"]);
     let choice = &object["choice"];
     assert!(number(choice, "trajectory_error") <= 1e-4);
-    // The trajectory is steep near its end only, so ε may be larger than the slope there suggests.
+    // The trajectory is steep only near its end, so ε may be larger than that slope suggests.
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 
@@ -70,7 +70,7 @@ fn a_homogeneous_field_is_served_alike_at_every_scale() {
     }
 }
 
-/// With this horizon ε would exceed the range of `f32`, so `f32` has no setting.
+/// For this horizon the values of ε exceed the range of `f32`, so `f32` has no setting.
 #[test]
 fn a_horizon_beyond_the_range_of_f32_is_served_by_f64() {
     let scene = ["e1", "--at", "1e-60,1e-60,1e-60", "--horizon", "1e60", "--tolerance", "1e-4"];
@@ -95,7 +95,7 @@ fn systems_beyond_the_paper_are_timed_as_compiled_too() {
     assert_eq!(object["timing"], "measured");
 }
 
-/// Compensated steps would have to be fifty times finer than steps in double-double.
+/// Order 2 in compensated `f64` needs fifty times as many steps here as in double-double.
 #[test]
 fn double_double_is_tried_where_the_roundings_of_f64_are_felt() {
     let scene =
@@ -124,7 +124,6 @@ fn a_tolerance_beyond_32_digits_is_told_from_a_sensitive_solution() {
     let scene = ["lv", "--at", "1/2,5/3", "--horizon", "1", "--tolerance", "1e-30"];
     let refusal = complaint(&scene, 2);
     assert!(refusal.contains("choose a tolerance above ") && !refusal.contains("sensitive"), "{refusal}");
-    // The tolerance that the refusal suggests is accepted.
     let named = refusal.trim_end().rsplit(' ').next().expect("a number");
     json(&["lv", "--at", "1/2,5/3", "--horizon", "1", "--tolerance", named]);
 }

@@ -193,7 +193,7 @@ fn a_field_of_the_users_own_is_run_and_pasted_as_it_was_given() {
     let object = json(&[&field[..], &["--horizon", "1", "--tolerance", "1e-4", "--seconds", "60"]].concat());
     assert_eq!(object["timing"], "measured");
     assert_eq!(object["reference"]["second_method"], "composition");
-    // The error of the reference, at most a hundredth of the tolerance 1e-4, is added.
+    // The errors of the setting and of the reference together must be within the tolerance 1e-4.
     let difference = number(&object["reference"], "difference");
     assert!(difference <= 1e-6 && difference + number(&object["choice"], "trajectory_error") <= 1e-4);
     let rust = object["choice"]["rust"].as_str().expect("a line");

@@ -26,7 +26,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Returns the shortest text of a sum with at most `depth` nested levels of products.
+    /// Returns the shortest text of a sum in which products are nested at most `depth` deep.
     fn sum(&self, polynomial: &Polynomial, depth: usize, budget: &mut Budget) -> String {
         let expanded = Text.polynomial(self.symbols, polynomial);
         let is_worth_it = depth > 0 && (3..=MOST_GROUPED).contains(&polynomial.len());
@@ -62,8 +62,8 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // For each factor: the number of terms of all coefficients that it divides, and their
-        // indices.
+        // For each factor: the number of terms of all coefficients that the factor divides, and the
+        // indices of these coefficients.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {

@@ -26,7 +26,7 @@ const MOST_WORK: u64 = 20_000_000;
 /// The least number of terms of a polynomial that is written in powers of another polynomial.
 const FEW_TERMS: usize = 12;
 
-/// The factors 1 + F and 1 − F are multiplied only if they have at least this number of terms.
+/// The factors 1 + F and 1 − F are multiplied only if each has at least this number of terms.
 const LONG_CONJUGATE: usize = 3;
 
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
@@ -45,7 +45,7 @@ pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
 }
 
 /// Writes the quotient of the products of `above` and `below`. A long factor is written in powers
-/// of a polynomial in `by`, or of a short factor of `below`, if that shortens the text.
+/// of one of the polynomials `by`, or of a short factor of `below`, if that shortens the text.
 pub(crate) fn quotient(
     symbols: &Symbols,
     above: &[Polynomial],
@@ -77,7 +77,7 @@ pub(crate) fn quotient(
     if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
 }
 
-/// A product of the fields: content · front / front_below · ∏ sums.
+/// Represents the product content · front / front_below · ∏ sums.
 #[derive(Clone, Debug)]
 struct Product {
     content: Rational,
@@ -170,8 +170,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // A text with a divisor must be a third shorter, because the divisor is
-                        // written on the other side of the fraction.
+                        // A divisor is written on the other side of the fraction, so the length of
+                        // a text with a divisor is multiplied by 3/2.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));

@@ -16,7 +16,7 @@ pub(super) struct Scale {
 }
 
 pub(crate) struct PowerExpansion {
-    /// The scaled polynomial, in which the variable `fresh` stands for the base.
+    /// The polynomial times `scale`, written in powers of the base, for which `fresh` stands.
     pub(crate) sum: Polynomial,
     pub(crate) fresh: Variable,
     pub(crate) scale: Polynomial,
@@ -80,7 +80,7 @@ pub(super) fn by_powers(
     if front.exponent(fresh) > 0 {
         return None;
     }
-    // The text would be a sum divided by a power of ε, so terms would cancel for small ε.
+    // Rejects a sum that must be divided by a power of ε, because this loses digits at small ε.
     if factor.exponent(symbols.epsilon()) > front.exponent(symbols.epsilon()) {
         return None;
     }

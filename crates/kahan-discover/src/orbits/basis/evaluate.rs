@@ -14,8 +14,8 @@ use crate::modular::weights::reduce;
 pub struct BasisValues {
     /// The coefficients in the order of the monomials. The chosen unit monomial has coefficient 1.
     pub coefficients: Vec<f64>,
-    /// The condition number of the linear system for the coefficients, which grows if points lie
-    /// close together. Each monomial is scaled by its largest value.
+    /// The condition number of the linear system for the coefficients, in which each monomial is
+    /// scaled by its largest value. It grows if points lie close together.
     ///
     /// Suppose that the points have a relative error u. Then each term cₖ max |mₖ| of coefficient
     /// and monomial has an error of about `condition`·u or less, relative to the largest term.

@@ -32,8 +32,8 @@ pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
 /// A sum of monomials with integer factors, as pairs of index and factor with ascending indices.
-/// The first factor is 1. In the relation, each factor multiplies the coefficient of the first
-/// monomial.
+/// The first factor is 1. In the relation, the coefficient of each monomial is its factor times the
+/// coefficient of the first monomial.
 pub type Term = Vec<(usize, i64)>;
 
 /// Monomials mₖ with one relation Σ cₖ mₖ(x) = 0 along every orbit.
@@ -124,8 +124,8 @@ impl Basis {
         self.terms.iter().position(|term| term.iter().any(|&(own, _)| own == place))
     }
 
-    /// Returns pairs (numerator, denominator) of terms whose coefficients have independent
-    /// integrals as quotients. Terms are numbered as in [`relation`](Self::relation).
+    /// Returns pairs (numerator, denominator) of terms. The quotients of their coefficients are
+    /// independent integrals. Terms are numbered as in [`relation`](Self::relation).
     #[must_use]
     pub fn quotients(&self) -> Vec<(usize, usize)> {
         let unit = self.term_of(self.unit);
@@ -157,7 +157,7 @@ impl Basis {
         Some((sum(above), sum(below)))
     }
 
-    /// Joins monomials into one term if their coefficients have an integer quotient that is equal
+    /// Joins monomials into one term if one coefficient is the same integer multiple of the other
     /// on three orbits.
     pub(crate) fn join_terms(&mut self, searched: &SearchField, random: &mut SplitMix64) {
         let mut sampled: Vec<(Modulus, Vec<u64>)> = Vec::new();
@@ -229,8 +229,8 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
 }
 
 /// Chooses the shortest bases until `wanted` integrals are independent, or no candidate is left.
-/// The integrals whose gradients at the point `place` are in `gradients` are included in this
-/// number. The gradients of the new integrals are appended.
+/// This number includes known integrals, whose gradients at `place` are in `gradients`. The
+/// gradients of the new integrals are appended.
 pub(crate) fn choose_bases(
     candidates: &[Basis],
     wanted: usize,
@@ -298,8 +298,8 @@ pub(crate) fn candidates(
     found
 }
 
-/// Returns orders of the monomials by degree, for all rotations of the variables in both
-/// directions.
+/// Returns orders of the monomials, by degree and then lexicographically, for every cyclic order of
+/// the variables and its reverse.
 fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     let mut orders = Vec::new();
     for shift in 0..n {

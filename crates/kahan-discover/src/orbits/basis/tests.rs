@@ -123,7 +123,6 @@ fn gradients_are_those_of_the_coefficients() {
     }
 }
 
-/// Tests Kirchhoff's case with two equal moments.
 #[test]
 fn monomials_with_equal_coefficients_are_joined() {
     let kirchhoff =

@@ -19,8 +19,8 @@ const LEAST_PRIME: u64 = 211;
 /// The number of integers from which the search for a prime may start.
 const PRIME_SEARCH_RANGE: u64 = 1000;
 
-/// The most samples. One in six has coefficients of all three contracted lines if they are
-/// conjugate.
+/// The most samples. If the three contracted lines are conjugate, their coefficients exist modulo
+/// the prime for about one sample in six.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
@@ -56,8 +56,8 @@ struct Forms {
 
 impl Forms {
     /// Returns whether the map is stable and has degree 2. The cubic form κ must have three linear
-    /// factors, counted with multiplicity. If the degree is lower, Φ vanishes on one of their
-    /// lines.
+    /// factors, counted with multiplicity. If the degree is lower, the forms of the map vanish on
+    /// one of these three lines.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
         // A quadratic form with three zeros on a line vanishes on the line, so three points
@@ -107,8 +107,8 @@ impl Forms {
         powers.iter().any(|powers| self.is_product(&lines, powers)).then_some(lines)
     }
 
-    /// Returns whether κ is a nonzero constant times these powers of lines. Cubic forms that agree
-    /// at the ten points (i, j, k) with i + j + k = 3 are equal.
+    /// Returns whether the form κ is a nonzero constant times these powers of lines. Cubic forms
+    /// that agree at the ten points (i, j, k) with i + j + k = 3 are equal.
     fn is_product(&self, lines: &[Point], powers: &[u32]) -> bool {
         let modulus = self.modulus();
         let places = (0..=3).flat_map(|i| (0..=3 - i).map(move |j| [i, j, 3 - i - j]));
@@ -125,8 +125,8 @@ impl Forms {
         right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
     }
 
-    /// Returns the zeros of κ on a line, except the line's first point. Returns `None` if κ
-    /// vanishes on the line.
+    /// Returns the zeros of the cubic form κ on a line, except the line's first point. Returns
+    /// `None` if κ vanishes on the line.
     fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
         let modulus = self.modulus();
         let mut point = base;

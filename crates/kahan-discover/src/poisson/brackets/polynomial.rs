@@ -177,8 +177,6 @@ pub(crate) fn polynomial_tensors(
         Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
     };
     found.extend(known.iter().filter_map(candidate));
-    // Known tensors usually have shorter texts than basis elements, so they precede all elements
-    // and all sums but the shortest.
     let symbols = searched.family().symbols();
     let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
     let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
@@ -211,8 +209,8 @@ pub(crate) fn polynomial_tensors(
             entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
         }
         let mut tensor = PoissonTensor { rank, entries, structure: None, is_implied: false };
-        // Each summand was scaled to coprime integers, so the sum may have another rank than modulo
-        // the prime.
+        // Each summand was scaled separately to coprime integers. This changes the sum, so the rank
+        // is computed again.
         let matrix = tensor.at(searched, &place, &points[0])?;
         tensor.rank = Echelon::of(map.modulus(), matrix, n).rank();
         Some(tensor)
@@ -382,8 +380,7 @@ impl TensorMonomials {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // Up to a factor, the tensor is the only invariant one with no other nonzero coefficients
-        // than these.
+        // Up to a factor, only one invariant tensor has no coefficients outside of `support`.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;

@@ -27,8 +27,8 @@ const MORE_RUNGS: usize = 5;
 pub(in crate::scene) const PLAIN_DOUBLE: Scheme = Scheme::of(Precision::Double);
 /// The scheme in `Dd`, where rounding errors are negligible.
 pub(in crate::scene) const PLAIN_DOUBLE_DOUBLE: Scheme = Scheme::of(Precision::DoubleDouble);
-/// The alternatives to plain `f64` for a single orbit. Steps in `f32` would take as long as in
-/// `f64`.
+/// The alternatives to plain `f64` for a single orbit. Schemes in `f32` are no alternative, because
+/// their steps take as long as in `f64`.
 pub(in crate::scene) const ALTERNATIVES_TO_DOUBLE: [Scheme; 2] =
     [PLAIN_DOUBLE_DOUBLE, PLAIN_DOUBLE.compensated()];
 pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN_DOUBLE.compensated()];
@@ -40,7 +40,7 @@ pub(in crate::scene) enum Verdict {
     /// No setting meets the tolerance, or no trial confirms that the flow is accurate.
     None {
         least_error: f64,
-        /// Whether a series of trials, or the flow, met rounding errors.
+        /// Whether rounding errors limited the accuracy of a series of trials, or of the flow.
         is_rough: bool,
     },
 }

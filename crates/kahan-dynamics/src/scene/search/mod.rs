@@ -162,8 +162,8 @@ impl<L: Trials> Search<L> {
         trial.steps as f64 * libm::pow(trial.error / error, 1.0 / f64::from(trial.scheme.order()))
     }
 
-    /// Returns whether finer steps in `f64` had larger errors that also exceed `roundings`. In
-    /// stiff motions, steps of some sizes meet poles.
+    /// Returns whether a setting in `f64` has a larger error than another one with fewer steps,
+    /// whose error exceeds `roundings`. In stiff motions, steps of some sizes meet poles.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN_DOUBLE.composed(trial.scheme.composition);

@@ -1,7 +1,8 @@
 //! Trials of a scheme with larger and larger numbers of steps.
 //!
 //! The trials stop if one meets the tolerance or costs more than a known setting, or if the law
-//! error ∝ ε^order predicts such costs. The trials also stop if two successive trials gain nothing.
+//! error ∝ ε^order predicts such costs. The trials also stop if two successive trials gain nothing
+//! because of rounding errors.
 
 use kahan_core::Composition;
 

@@ -2,7 +2,8 @@
 
 use super::Assembler;
 
-/// A general-purpose register. Number 31 is the stack pointer in addresses, elsewhere zero.
+/// A general-purpose register. Number 31 is the stack pointer in an address, and the zero register
+/// elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct GeneralRegister(u8);
 

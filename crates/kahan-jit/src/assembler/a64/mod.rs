@@ -135,7 +135,7 @@ impl Assembler {
         self.three(words, to, a, b);
     }
 
-    /// Writes to = a if a > b (if `greater`) or a < b (if not), else to = b; also for NaN and ±0.
+    /// Writes to = a if a > b, else to = b. If `greater` is false, the condition is a < b.
     fn choose(&mut self, greater: bool, to: Vector, a: Vector, b: Vector) {
         const GREATER: u32 = 12;
         const LESS: u32 = 4;
@@ -219,7 +219,8 @@ impl Assembler {
     }
 
     fn transfer(&mut self, is_load: bool, register: Vector, place: Memory) {
-        // The words take an immediate offset, a register, and an offset from the program counter.
+        // The words encode an access at an immediate offset, at an offset in a register, and
+        // relative to the program counter.
         let words = match (self.form.width, self.form.element) {
             (Width::Scalar, Element::Single) => [0xbd00_0000, 0xbc20_6800, 0x1c00_0000],
             (Width::Scalar, Element::Double) => [0xfd00_0000, 0xfc20_6800, 0x5c00_0000],
@@ -245,7 +246,7 @@ impl Assembler {
         }
     }
 
-    /// Rounds to the nearest single-precision number, and keeps the element type of the form.
+    /// Rounds to the nearest single-precision number, stored in the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);

@@ -66,7 +66,8 @@ fn inverted(number: u8, k: u8) -> u8 {
 
 impl Assembler {
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // ModRM and SIB lack room for these bits of a register number, or of an index and a base.
+        // ModRM and SIB hold three bits of each register number; these further bits are in the
+        // prefix.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -100,9 +101,11 @@ impl Assembler {
         self.operands(to.0, b, !is_evex);
     }
 
-    /// Writes ModRM, SIB and the offset, of 4 bytes in EVEX, because EVEX scales short offsets.
+    /// Writes ModRM, SIB and the offset. In EVEX the offset always takes 4 bytes, since EVEX scales
+    /// short offsets.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
-        /// In the base field of ModRM, 4 announces a SIB byte, and 5 is the program counter.
+        /// In the base field of ModRM, 4 announces a SIB byte, and 5 stands for the program
+        /// counter.
         const MORE: u8 = 4;
         const BEHIND_THE_CODE: u8 = 5;
 

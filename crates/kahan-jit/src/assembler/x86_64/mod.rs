@@ -42,7 +42,7 @@ impl Assembler {
 
     /// Begins a function, which saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &FrameNeeds) {
-        /// Slots of every width start on a cache line of this many bytes.
+        /// The stack slots start at a multiple of this number of bytes, the size of a cache line.
         const LINE: i32 = 64;
         const LENGTH: usize = 8;
 
@@ -117,7 +117,7 @@ impl Assembler {
         self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
     }
 
-    /// Rounds to the nearest single-precision number, and keeps the element type of the form.
+    /// Rounds to the nearest single-precision number, stored in the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);

@@ -119,7 +119,6 @@ fn places() -> impl Iterator<Item = Memory> {
     GENERAL.into_iter().flat_map(at).chain(indexed)
 }
 
-/// Yields triples of registers. Each of the 32 registers takes each position.
 fn triples() -> impl Iterator<Item = [Vector; 3]> {
     (0..32_u32).flat_map(|k| {
         let [a, b] = [(k * 7 + 3) % 32, (k * 13 + 5) % 32];
@@ -267,7 +266,6 @@ fn numbers_are_rounded_to_single_precision_and_taken_back() {
     }
 }
 
-/// Decodes each operation of a form, with the first and last registers of the range.
 #[cfg(target_arch = "x86_64")]
 fn all_operations(form: OperandForm, registers: u8, has_fused: bool) -> Vec<Instruction> {
     let mut assembler = Assembler::new(form);
@@ -335,7 +333,6 @@ fn a_set_of_instructions_is_available_where_all_of_them_are() {
 fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     for form in FORMS {
         let mut assembler = Assembler::new(form);
-        // Each half of the third constant is a half of another constant.
         let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x8000_0000_3f80_0000];
         for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
             let entry = assembler.constant(bits);

@@ -65,7 +65,6 @@ impl Source<'_> {
         of[self.byte() % of.len()]
     }
 
-    /// Returns an array index, usually small, otherwise near a limit of offsets or of addresses.
     fn entry(&mut self) -> usize {
         let near = self.byte();
         if near < 240 {

@@ -83,7 +83,6 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
     }
 }
 
-/// Writes a function's name with an optional exponent.
 fn operator(function: &str, power: &str) -> String {
     if power.is_empty() {
         format!("\\operatorname{{{function}}}")

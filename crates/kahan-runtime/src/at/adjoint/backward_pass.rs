@@ -9,8 +9,8 @@ use crate::{MapAt, RuntimeFloat};
 use super::Gradient;
 use super::terms::Terms;
 
-/// The largest growth of λ = ∂L/∂x that is accepted in a transposed solve. Larger growth means that
-/// det A is nearly 0.
+/// If solving with the transpose of A enlarges the gradient by more than this factor, det A is
+/// nearly 0, and the result is not used.
 const LARGEST_GROWTH: f64 = 1024.0;
 
 pub(super) struct BackwardPass<'a, T: RuntimeFloat> {
@@ -99,7 +99,7 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Propagates λ = ∂L/∂x back over a stage by dual numbers, which also works near det A = 0.
+    /// Propagates the gradient back over a stage by dual numbers, which also works near det A = 0.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();

@@ -38,8 +38,8 @@ use crate::{DimensionError, End, Follow, Followed, MapAt, RuntimeFloat};
 
 use backward_pass::BackwardPass;
 
-/// The derivatives of a scalar with respect to start, parameters and ε of an orbit; made by
-/// [`MapAt::gradient`].
+/// The derivatives of a function of an orbit with respect to its start, the parameters and ε; made
+/// by [`MapAt::gradient`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient<T> {
     /// The derivatives with respect to the coordinates of the start.
@@ -171,7 +171,6 @@ impl<T: RuntimeFloat> MapAt<T> {
             };
             let end = self.follow(x, now, watch)?.end.after(made);
             made += now;
-            // If the watch stops `follow` at the last step, `follow` returns `Complete`.
             let end = if is_stopped && end == End::Complete { End::Stopped(made) } else { end };
             if end != End::Complete {
                 return Ok((checkpoints, end));

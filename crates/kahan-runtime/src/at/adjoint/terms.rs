@@ -16,7 +16,6 @@ type States = [Option<usize>; 2];
 
 #[derive(Debug)]
 pub(super) struct Terms<T> {
-    /// The constant term of each entry of f′, and the end of the entry's linear terms in `slopes`.
     entries: Vec<(T, usize)>,
     /// The linear terms k·x of all entries of f′: the index of the state x, and k.
     slopes: Vec<(usize, T)>,

@@ -21,7 +21,7 @@ use crate::study::Study;
 use super::points::{EarlyEnd, EndReason, OrbitPoints, one_by_one, rows_in_milliseconds};
 use super::{NoOrbit, Orbit};
 
-/// An arithmetic in which points can move, and whose numbers can be cells of tables.
+/// An arithmetic in which orbits are computed, and whose numbers can be cells of tables.
 pub(super) trait PointArithmetic: Printable {
     type Cell: Clone;
 
@@ -33,10 +33,11 @@ pub(super) trait PointArithmetic: Printable {
     /// The library's scalar type that corresponds to these numbers.
     type Scalar: ProjectiveScalar + Into<Self::Value>;
 
-    /// Returns the cell of a number; undefined if it is not finite.
+    /// Returns the cell of a number. A number that is not finite gives the cell of an undefined
+    /// value.
     fn cell(number: &Self::Value) -> Self::Cell;
 
-    /// Returns the cell of an optional number; undefined for `None`.
+    /// Returns the cell of a number; `None` gives the cell of an undefined value.
     fn cell_of(number: Option<Self::Value>) -> Self::Cell {
         number.map_or(Self::UNDEFINED, |number| Self::cell(&number))
     }

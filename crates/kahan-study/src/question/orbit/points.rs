@@ -26,7 +26,8 @@ pub(super) enum EarlyEnd {
 
 #[derive(Clone, Copy)]
 pub(super) enum EndReason {
-    /// det A = 0. A reduced map is then undefined at the point, another map possibly defined.
+    /// det A = 0. If the map is reduced, it is undefined at the point; otherwise it may be defined
+    /// there.
     Pole { is_reduced: bool },
     /// det A = 0 at a stage of a composition.
     StagePole,

@@ -32,11 +32,12 @@ pub(in crate::question) struct CellInputs<V> {
     pub(in crate::question) eps: V,
 }
 
-/// All cells. Drawn axes vary fastest, then the last axis, and so on to the first axis; first
-/// points vary slowest.
+/// The cells of a question. In their order, drawn axes vary fastest, then the last axis, and so on
+/// to the first axis; first points vary slowest.
 pub(in crate::question) struct Cells<'a> {
     pub(in crate::question) axes: Vec<ResolvedAxis<'a>>,
-    /// The number of axes, at the end of the list, that have one value for each first point.
+    /// The number of axes, at the end of the list, that have one value for each first point instead
+    /// of being combined with all.
     with_starts: usize,
     starts: &'a [Vec<Rational>],
     /// The values of the question, which the axes replace.
@@ -141,7 +142,8 @@ impl<'a> Cells<'a> {
         [CellEntry::Integer(index as i64)].into_iter().chain(starts).chain(axes).collect()
     }
 
-    /// Returns the names of the varying axes; first points are called `start_x`.
+    /// Returns the names of the varying axes. An axis of a variable x, which sets first points, is
+    /// called `start_x`.
     pub(in crate::question) fn names(&self) -> Vec<String> {
         let names = self.axes.iter().filter(|along| along.varies()).map(|along| match along.target {
             VariedQuantity::Variable(_) => format!("start_{}", along.axis.name),
@@ -160,7 +162,8 @@ impl<'a> Cells<'a> {
         index / (self.count / self.starts.len().max(1) as u64)
     }
 
-    /// Returns the number of values on the last axis that is combined with all starts.
+    /// Returns the number of values on the last of the axes that are combined with all first
+    /// points.
     pub(in crate::question) fn last_count(&self) -> u64 {
         let multiplied = &self.axes[..self.axes.len() - self.with_starts];
         multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)
@@ -220,7 +223,8 @@ impl ResolvedAxis<'_> {
     }
 }
 
-/// Resolves the axis at `place` in the field, and checks it against the question.
+/// Finds the quantity that the axis at `place` varies, and checks that the question allows this
+/// axis.
 fn resolve_axis<'a>(over: &'a Over, place: usize, study: &Study) -> Result<ResolvedAxis<'a>, StudyError> {
     let (axis, observes) = (&over.over[place], matches!(*over.question, Question::Observe(_)));
     let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
@@ -247,7 +251,7 @@ fn resolve_axis<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Resol
     };
     let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
         Some(_) => values.double(index),
-        // Drawn values are represented by NaN, which is not an order, so they are refused below.
+        // Drawn values become NaN, and are refused below, because NaN is not an order of a method.
         None => f64::NAN,
     });
     match own.find(|value| !known.contains(value)) {

@@ -66,7 +66,8 @@ struct OverFields {
     seed: u64,
 }
 
-/// A row for each cell: its coordinates, and the results. NaN is null in JSON.
+/// The answer to [`Over`]: a row for each cell, with the cell's coordinates and the results. NaN is
+/// null in JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct OverFound {
     /// The name of the system.
@@ -86,7 +87,7 @@ impl Over {
         }
     }
 
-    /// Asks the question over these axes, with one draw.
+    /// Asks the question at all combinations of the axes' values. A drawn axis gets one value.
     #[must_use]
     pub fn new(question: Question, over: Vec<AxisOver>) -> Self {
         Over { question: Box::new(question), over, starts: Vec::new(), draws: 1, seed: 1 }

@@ -44,7 +44,8 @@ impl<'a> Orbits<'a> {
         }
         let (CellInputs { at, eps, .. }, _) = cells.in_doubles(0);
         study.within_range(&at, eps)?;
-        // A mistake in the only field is reported once instead of at every cell.
+        // If all cells have the same field, a mistake in it is reported once instead of at every
+        // cell.
         let is_one_field =
             !cells.axes.iter().any(|along| matches!(along.target, VariedQuantity::Parameter(_)));
         if is_one_field {

@@ -65,7 +65,8 @@ impl FlowFound {
     }
 }
 
-/// Describes a cycle in JSON. Without `found`, the period is the map's, and has no error.
+/// Describes a cycle in JSON. Without `found`, the period is that of the map's cycle, without an
+/// error estimate.
 pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64) -> Value {
     let of_map = period(cycle, eps);
     json!({
@@ -147,7 +148,8 @@ impl Parametric for FlowAt<'_> {
         rates.truncate(x.len());
         let place = self.family.parameter.filter(|place| self.at.place() == *place);
         let Some((place, _)) = place.zip(self.family.study.relations()) else { return rates };
-        // New variables of a lift may depend on the parameter, which changes the derivative by it.
+        // New variables of a lift may depend on the parameter. Central differences give their
+        // derivatives by it.
         let width = 1e-6 * self.values[place].abs().max(1e-3);
         let [below, above] = [-width, width].map(|shift| {
             let mut values = self.values.clone();
@@ -163,7 +165,8 @@ impl Parametric for FlowAt<'_> {
 
 impl Family {
     /// Returns the map at a value of the varied parameter and an ε, with the derivative by
-    /// parameter `by` or by ε. After a cancellation ε is NaN, which ends every search.
+    /// parameter `by` or by ε. If the watch has cancelled the work, ε is NaN, which ends every
+    /// search.
     fn flow_at(
         &self,
         value: f64,

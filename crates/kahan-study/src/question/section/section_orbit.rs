@@ -9,7 +9,8 @@ use kahan_runtime::{End, Follow};
 use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
-/// An orbit that is followed until its buffer of crossings is full, and later from there on.
+/// An orbit that is followed until its buffer of crossings is full, and continued when the buffer
+/// is empty again.
 #[derive(Clone, Debug)]
 pub(super) struct SectionOrbit {
     pub(super) x: Vec<f64>,
@@ -157,7 +158,8 @@ impl SectionOrbit {
         self.end = (end != End::Complete).then(|| end.after(before));
     }
 
-    /// Passes a row with `values` and each crossing to a consumer, and empties the buffer.
+    /// Passes a row for each crossing to a consumer, with `values` before the crossing, and empties
+    /// the buffer.
     pub(super) fn pass_crossings(
         &mut self,
         columns: &[Column],

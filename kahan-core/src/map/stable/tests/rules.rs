@@ -116,7 +116,6 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// The relative error of the divisor is nearly 1/64, the maximum.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     const MIDDLE: i32 = 13;
@@ -128,7 +127,7 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
     let one = Beside::<COARSE>::from_input(1.0);
-    // The divisor is (1+u)ᵏ − d, whose magnitude is 1 + d.
+    // The divisor is (1+u)³ − d. The magnitudes 1 and d of its terms are added.
     let divisor = |d: f64| off_by(EXACTLY, || rounded_up::<COARSE>(3).minus(&Beside::from_input(d)));
     let mut seen = [0, 0];
     for step in 0..1000 {
@@ -155,7 +154,6 @@ fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
             first.over(&rounded_down(k))?.over(&rounded_down(k))
         });
         let chain = chain.expect("a quotient");
-        // The three divisors have k errors each, and three quotients are rounded.
         let part = (3 * k + 3) as f64 / (4 * (k + 3)) as f64;
         assert_near(&chain, part / SLACK.powi(2) - 1e-4);
     }

@@ -200,7 +200,7 @@ fn the_first_rung_keeps_the_promise() {
     assert!(passed > 100 && refused > 100 && ERROR_BOUND < 64.0, "{passed} passed, {refused} were refused");
 }
 
-/// The underflow error of y² is multiplied by a = 2⁶⁰, and then exceeds the allowance.
+/// The underflow error of y² is multiplied by a = 2⁶⁰, and then exceeds the bound for underflow.
 #[test]
 fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };

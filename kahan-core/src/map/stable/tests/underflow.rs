@@ -46,7 +46,6 @@ fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
 
 #[test]
 fn sums_and_constants_take_their_bits() {
-    // The error doubles 18 times. These doublings leave 2 bits for the input.
     let formula = |x: &Value| {
         let tiny = Value::from_input(0.0).times(&Value::from_input(0.0));
         off_by((0, 0), || (0..18).fold(tiny.times(x), |sum, _| sum.plus(&sum)))
@@ -160,7 +159,6 @@ mod premises {
         };
         assert_eq!(product(MOST_UNDERFLOWS, 0), InputLimit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS + 1, 0), InputLimit::NONE);
-        // A literal that is rounded may underflow as well.
         assert_eq!(product(MOST_UNDERFLOWS / 2, 1), InputLimit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), InputLimit::NONE);
         let halves = |count: u32| (0..count).fold(half(0), |product, _| product * half(0));
@@ -243,13 +241,12 @@ mod premises {
             for power in [bits, -bits] {
                 assert_eq!(over(sign * power_of_two(power)).largest_input(), InputLimit::below(20 - 1 - 6));
             }
-            // A larger ε is treated as any other input. A smaller ε may be an invalid divisor.
             assert_eq!(over(sign * power_of_two(bits + 1)).largest_input(), InputLimit::below(20 - 1 - 8));
             assert_eq!(over(sign * power_of_two(-bits - 1)).largest_input(), InputLimit::NONE);
         }
     }
 
-    /// The allowance of a format is 2¹⁰·2ᴮ·η, with B bits of products and the underflow error η.
+    /// The allowance for underflow is 2¹⁰·2ᴮ·η, if 2ᴮ limits products and η is one underflow error.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {

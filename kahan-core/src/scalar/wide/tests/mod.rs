@@ -43,7 +43,7 @@ impl Dyadic {
         Self::of(Wide::from(size.mantissa).scaled(size.exponent))
     }
 
-    /// Returns the integers n and m, and e, for numbers n·2^e and m·2^e.
+    /// Returns the integers n, m and e with self = n·2^e and other = m·2^e.
     fn aligned(&self, other: &Self) -> (BigInt, BigInt, i64) {
         let exponent = self.exponent.min(other.exponent);
         let shifted = |dyadic: &Self| &dyadic.integer << (dyadic.exponent - exponent) as u64;

@@ -17,7 +17,7 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// For right-hand sides with more terms, ways to multiply ε into terms are not compared.
+/// Ways to multiply ε into terms are compared for right-hand sides of at most this many terms.
 const COMPARED_TERMS: usize = 12;
 
 /// The increment x̃ᵢ − xᵢ as numerator and reciprocal.
@@ -30,7 +30,7 @@ struct Solution {
 }
 
 impl BlockOrder {
-    /// Returns the numbers of places by which to rotate rows, at most `most` numbers.
+    /// Returns by how many places rows are rotated in each of at most `most` attempts.
     fn row_rotations(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))

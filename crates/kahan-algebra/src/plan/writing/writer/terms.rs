@@ -21,7 +21,7 @@ impl Writer {
         Signed { node: self.draft.product(&factors), negative }
     }
 
-    /// Returns the factors of a term and its sign. A power of two is merged with a scaled symbol.
+    /// Returns the factors of a term and whether its sign is negative.
     pub(in crate::plan) fn factors_of_term(
         &mut self,
         monomial: &Monomial,

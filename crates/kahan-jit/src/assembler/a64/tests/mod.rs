@@ -19,10 +19,9 @@ const D: OperandForm = form(Element::Double, Width::Scalar);
 const S4: OperandForm = form(Element::Single, Width::Bits128);
 const D2: OperandForm = form(Element::Double, Width::Bits128);
 
-/// A form, the calls that write instructions, and the expected words.
+/// An operand form, a call that writes instructions in this form, and the expected words.
 type Written<'a> = (OperandForm, &'a dyn Fn(&mut Assembler), &'a [u32]);
 
-/// The stack bytes, pointer use and vector registers of a function, and its expected words.
 type Frame<'a> = ((usize, bool, u8), &'a [u32]);
 
 /// Returns a register by its index in [`Vector`]: 8 to 21 stand for v16 to v29, and 22 to 29 for

@@ -12,8 +12,8 @@ use crate::scalar::{Size, Wide};
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{DeltaSeries, direction};
 
-/// The exponent of δ relative to the size of the point, far below the digits of a
-/// [`Dd`](crate::Dd).
+/// The binary exponent of the perturbation δ, relative to the size of the point. The number δ is
+/// far below the digits of a [`Dd`](crate::Dd).
 const DELTA_EXPONENT: i32 = -192;
 
 /// A coordinate is treated as infinite if its exponent exceeds that of the point by this number,
@@ -32,11 +32,11 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN_BITS) { leading } else { entry }
 }
 
-/// The steps back to the first point may amplify rounding errors by 2 to this power.
+/// The steps back to the first point may amplify rounding errors by at most 2 to this power.
 const MAX_LOST_BITS: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// The first attempt has δ = 0, for points near a pole. The other attempts use other lines.
+    /// The number of attempts: one with δ = 0 for points near a pole, then two along other lines.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
