@@ -55,7 +55,7 @@ function open() {
 // The field is another one, and so are ε, the first points and the axes.
 function typed() {
   chosen = { eps: false, at: false }
-  state = { ...state, system: '', field: $('field').value, eps: '', at: [], picked: 0, steps: START.steps, axes: [], view: null }
+  state = { ...state, system: '', field: $('field').value, eps: '', at: [], picked: 0, steps: START.steps, axes: [], section: '', view: null }
   $('steps').value = state.steps
   fitted = null
   $('gallery').value = ''

@@ -44,6 +44,7 @@ function fields() {
   const eps = valueOf(state.eps)
   const put = (id, value) => { if (document.activeElement !== $(id)) $(id).value = value }
   put('eps', state.eps)
+  put('section', state.section)
   put('at', state.at[state.picked] || '')
   put('slider', Math.round(100 * (Math.log10(Math.abs(eps)) + 4)))
   $('slider').setAttribute('aria-valuetext', `ε = ${state.eps}, Δt = ${short(2 * eps)}`)
@@ -112,7 +113,9 @@ async function orbits(asker, methods) {
       const { head, rows, stopped, note } = reply.answer
       const columns = head.columns.map((_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
       const first = 2 + head.variables.length
-      const orbit = { names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), paint: METHODS[method][1] }
+      const cut = method === 'kahan' && state.section ? await crossings(asker, asked, at) : null
+      if (sheet !== sheetOf) return
+      const orbit = { names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), cut, paint: METHODS[method][1] }
       made.push({ ...orbit, escaped: escapeOf(orbit) })
     }
   }
@@ -125,6 +128,18 @@ async function orbits(asker, methods) {
   const drawn = asker === follower ? [...others, ...made] : [...made, ...others]
   // A flow of other points is no longer shown.
   show(drawn.filter(({ method, eps, at }) => method !== 'flow' || state.beside.includes(method) && eps === state.eps && state.at[state.picked] === at))
+}
+
+// The columns of the crossings of an orbit with the section; null for a formula with a mistake.
+async function crossings(asker, asked, at) {
+  const { eps, steps, section } = state
+  const reply = await asker.ask(asked, { ask: 'section', eps, at: at.split(','), steps, plane: section })
+  if (!reply || section !== state.section) return null
+  $('section').setAttribute('aria-invalid', String(Boolean(reply.mistake)))
+  $('refused').textContent = reply.mistake ? `The section: ${reply.mistake}` : ''
+  if (reply.mistake) return null
+  const { rows } = reply.answer
+  return Array.from({ length: reply.columns.length / rows || 2 + at.split(',').length }, (_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
 }
 
 const placesOf = () => state.axes.map(name => (name === 't' ? 1 : 2 + pointVariables().indexOf(name)))
@@ -143,6 +158,8 @@ function show(drawn) {
 // What became of the orbits.
 function legend(own) {
   const parts = [`${own.length * (state.steps + 1)} points of ${own.length === 1 ? 'one orbit' : `${own.length} orbits`}`]
+  const cuts = own.filter(({ cut }) => cut)
+  if (cuts.length) parts.push(`${cuts.reduce((sum, { cut }) => sum + cut[0].length, 0)} crossings of the section are shown`)
   own.forEach(({ escaped }, k) => {
     if (escaped !== null) parts.push(`${own.length > 1 ? `Orbit ${k + 1}` : 'It'} escapes after ${escaped} steps`)
   })
@@ -167,11 +184,13 @@ function drawPortrait(canvas = $('portrait')) {
   // The map itself lies above what it is compared with, which is drawn wider.
   const isColoured = state.over.includes('colours') && own.length > 1
   const rings = own.map((_, k) => (isColoured ? PAINTS[k % PAINTS.length] : '--ink'))
-  const sets = lastDrawn.map(({ columns, paint, method, at }, k) => {
-    const count = shownRows(columns[0].length)
+  const isCut = own.some(({ cut }) => cut)
+  const sets = lastDrawn.filter(({ cut }) => cut || !isCut).map(({ columns: all, cut, paint, method, at }, k) => {
+    const columns = cut || all
+    const count = cut ? cut[0].length : shownRows(all[0].length)
     const isPicked = method === 'kahan' && at === state.at[state.picked] && own.length > 1
     const seen = isSpace() ? seenPoints(columns, places, count, see) : { xs: columns[places[0]].subarray(0, count), ys: columns[places[1]].subarray(0, count) }
-    return { ...seen, paint: isColoured && method === 'kahan' ? rings[k] : paint, wider: isPicked ? 0.6 : { kahan: 0, flow: 2 }[method] ?? 0.8 }
+    return { ...seen, isCut, paint: isColoured && method === 'kahan' ? rings[k] : paint, wider: isPicked ? 0.6 : { kahan: 0, flow: 2 }[method] ?? 0.8 }
   }).reverse()
   const drawn = { ...portrait(canvas, window, it => (isSpace() ? edges(it, state.axes, fitted, see) : axes(it, state.axes)), sets, starts, state.picked, rings), starts, window }
   drawPlane(drawn)
@@ -257,6 +276,13 @@ function wirePortrait() {
     $('steps').value = state.steps
     fitted = null
     save('steps')
+    move()
+  }
+  $('section').onchange = () => {
+    state.section = $('section').value.trim()
+    $('section').setAttribute('aria-invalid', 'false')
+    $('refused').textContent = ''
+    save('section')
     move()
   }
   for (const id of AXES) {
