@@ -44,7 +44,7 @@ function readAddress() {
     axes: list('axes', ','),
     beside: given.has('beside') ? list('beside', ',').filter(name => name in METHODS) : START.beside,
     over: list('over', ',').filter(name => name in OVERLAYS),
-    section: given.get('section') || '',
+    section: /^\w+=/.test(given.get('section')) && NUMBER.test(given.get('section').split('=')[1]) ? given.get('section') : '',
     view: ends.length === 4 && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3] ? [ends.slice(0, 2), ends.slice(2)] : null,
     turn: angles.length === 2 && angles.every(Number.isFinite) ? angles : START.turn,
   }

@@ -24,6 +24,7 @@ async function orbitsAnew() {
   state.picked = Math.min(state.picked, state.at.length - 1)
   for (const [k, id] of AXES.entries()) $(id).replaceChildren(...[k < 2 ? 't' : '', ...variables].map(name => new Option(name || 'none', name)))
   $('third').hidden = variables.length < 3
+  $('crossed').replaceChildren(...['', ...variables].map(name => new Option(name || 'none', name)))
   fitted = null
   fields()
   await move()
@@ -44,7 +45,9 @@ function fields() {
   const eps = valueOf(state.eps)
   const put = (id, value) => { if (document.activeElement !== $(id)) $(id).value = value }
   put('eps', state.eps)
-  put('section', state.section)
+  const [crossed, level] = state.section.split('=')
+  $('crossed').value = crossed
+  if (crossed) put('level', level)
   put('at', state.at[state.picked] || '')
   put('slider', Math.round(100 * (Math.log10(Math.abs(eps)) + 4)))
   $('slider').setAttribute('aria-valuetext', `ε = ${state.eps}, Δt = ${short(2 * eps)}`)
@@ -113,8 +116,7 @@ async function orbits(asker, methods) {
       const { head, rows, stopped, note } = reply.answer
       const columns = head.columns.map((_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
       const first = 2 + head.variables.length
-      const cut = method === 'kahan' && state.section ? await crossings(asker, asked, at) : null
-      if (sheet !== sheetOf) return
+      const cut = method === 'kahan' ? crossings(columns) : null
       const orbit = { names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), cut, paint: METHODS[method][1] }
       made.push({ ...orbit, escaped: escapeOf(orbit) })
     }
@@ -130,16 +132,16 @@ async function orbits(asker, methods) {
   show(drawn.filter(({ method, eps, at }) => method !== 'flow' || state.beside.includes(method) && eps === state.eps && state.at[state.picked] === at))
 }
 
-// The columns of the crossings of an orbit with the section; null for a formula with a mistake.
-async function crossings(asker, asked, at) {
-  const { eps, steps, section } = state
-  const reply = await asker.ask(asked, { ask: 'section', eps, at: at.split(','), steps, plane: section })
-  if (!reply || section !== state.section) return null
-  $('section').setAttribute('aria-invalid', String(Boolean(reply.mistake)))
-  $('refused').textContent = reply.mistake ? `The section: ${reply.mistake}` : ''
-  if (reply.mistake) return null
-  const { rows } = reply.answer
-  return Array.from({ length: reply.columns.length / rows || 2 + at.split(',').length }, (_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
+// The columns of the points at which the orbit crosses the section, interpolated between two steps;
+// null without a section.
+function crossings(columns) {
+  const [name, level] = state.section.split('=')
+  const place = 2 + pointVariables().indexOf(name)
+  if (!name || place < 2) return null
+  const heights = columns[place].map(value => value - valueOf(level))
+  const rows = []
+  for (let k = 1; k < heights.length; k++) if (heights[k - 1] < 0 && heights[k] >= 0) rows.push(k)
+  return columns.map(column => Float64Array.from(rows, k => column[k - 1] + (column[k] - column[k - 1]) * heights[k - 1] / (heights[k - 1] - heights[k])))
 }
 
 const placesOf = () => state.axes.map(name => (name === 't' ? 1 : 2 + pointVariables().indexOf(name)))
@@ -278,10 +280,10 @@ function wirePortrait() {
     save('steps')
     move()
   }
-  $('section').onchange = () => {
-    state.section = $('section').value.trim()
-    $('section').setAttribute('aria-invalid', 'false')
-    $('refused').textContent = ''
+  $('crossed').onchange = $('level').onchange = () => {
+    const level = $('level').value.trim()
+    if (!checked($('level'), NUMBER.test(level), level || 'Nothing')) return
+    state.section = $('crossed').value && `${$('crossed').value}=${level}`
     save('section')
     move()
   }

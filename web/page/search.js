@@ -16,7 +16,7 @@ function forget(changed) {
     if (name === 'search' && holds) continue
     workers[name].stop()
     $(name).classList.remove('running')
-    for (const id of [`${name}-shown`, `${name}-stage`]) $(id)?.replaceChildren()
+    for (const id of [`${name}-shown`, `${name}-stage`]) $(id).replaceChildren()
   }
   for (const id of ['copied', 'copied-found', 'linked']) $(id).replaceChildren()
   $('jacobian-shown').replaceChildren()
@@ -27,7 +27,7 @@ function forget(changed) {
 }
 
 // Asks while a button says so; pressed once more, the button ends it. A double click is one press.
-async function long(id, question, shows, hears = () => {}, of = subject()) {
+async function long(id, question, shows, hears = () => {}) {
   const [button, begun] = [$(id), performance.now()]
   if (button.classList.contains('running')) {
     if (begun - Number(button.dataset.begun) > 500) workers[id].stop()
@@ -40,11 +40,11 @@ async function long(id, question, shows, hears = () => {}, of = subject()) {
   let look = null
   const clock = () => {
     const { what, done, of } = look || {}
-    const seconds = `${Math.round((performance.now() - begun) / 1000)} s${question.seconds ? ` of ${question.seconds}` : ''}`
+    const seconds = `${Math.round((performance.now() - begun) / 1000)} s of ${question.seconds}`
     stage.textContent = what ? `${of ? `${done} of ${of} ${what}` : `${what} …`} (${seconds})` : seconds
   }
   const ticking = setInterval(clock, 1000)
-  const reply = await workers[id].ask(of, question, data => {
+  const reply = await workers[id].ask(subject(), question, data => {
     if (data.look) { look = data.look; clock() }
     hears(data)
   })
@@ -185,11 +185,6 @@ function measured() {
 function wireSearch() {
   for (const made of document.querySelectorAll('[data-found]')) made.onclick = () => copyFound(made.dataset.found)
   $('search').onclick = search
-  $('exponent').onclick = () => long('exponent', { ask: 'observe', observe: ['lyapunov'], eps: state.eps, at: state.at[state.picked]?.split(',') || [], steps: state.steps }, ({ answer }) => {
-    const { lyapunov, lyapunov_error: error, steps } = answer
-    const ends = steps < state.steps ? ` The orbit ends after ${steps} steps.` : ''
-    $('exponent-stage').textContent = `λ = ${short(lyapunov)} ± ${short(Number(error.toPrecision(1)))} per unit of time, over ${steps} steps.${ends}`
-  }, undefined, pictured(subject()))
   $('heights').onclick = () => long('heights', { ask: 'heights', eps: state.eps, at: state.at[state.picked]?.split(',') || [], steps: 60, digits: 20000, seconds: 10 }, ({ answer, html }) => {
     set('heights-shown', html)
     $('heights-stage').textContent = `Growth is ${answer.growth}, over ${answer.steps} steps.`

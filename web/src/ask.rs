@@ -5,8 +5,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, Heights, Lift, Observe, Orbit, Orbited, Poles, Section, Show, ShowForm, StoredColumn,
-    Study, StudyError, Subject, Systems, Table, Watch, list,
+    Answer, Discover, Heights, Lift, Orbit, Orbited, Poles, Show, ShowForm, StoredColumn, Study, StudyError,
+    Subject, Systems, Watch, list,
 };
 use kahan_systems::registry;
 use serde::de::DeserializeOwned;
@@ -115,10 +115,6 @@ impl Asker {
                 let asked = read(question)?;
                 orbit(&self.study_of_orbit(&asked)?, &asked, watch)?
             }
-            Some("section") => section(study, &read(question)?, watch)?,
-            Some("observe") => {
-                Reply { answer: json!(read::<Observe>(question)?.ask(study, watch)?), ..Reply::default() }
-            }
             Some("relations") => relations(study, &read(question)?)?,
             Some("discover") => {
                 Reply::of(Answer::Discover(Box::new(read::<Discover>(question)?.ask(study, watch)?)))
@@ -213,30 +209,17 @@ fn lifted(study: &Study) -> Result<Value, StudyError> {
 /// Returns the rows of an orbit in doubles, one column after the other.
 fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, StudyError> {
     let Orbited { head, rows, ending } = asked.begin_in_doubles(study)?.in_memory(watch);
-    let columns = in_doubles(&rows);
-    let stopped = ending.why.map(|_| json!({"step": ending.step}));
-    let answer = json!({"head": head, "rows": rows.count(), "stopped": stopped, "note": ending.note});
-    Ok(Reply { answer, columns, ..Reply::default() })
-}
-
-/// Returns the columns of a table as doubles, one column after the other.
-fn in_doubles(rows: &Table) -> Vec<f64> {
     let mut columns = Vec::with_capacity(rows.count() * rows.values.len());
-    for column in &rows.values {
-        match column {
+    for kept in &rows.values {
+        match kept {
             StoredColumn::F64(values) => columns.extend_from_slice(values),
             StoredColumn::Integer(values) => columns.extend(values.iter().map(|&value| value as f64)),
             _ => unreachable!("orbits in doubles have doubles and counts"),
         }
     }
-    columns
-}
-
-/// Returns the crossings of an orbit with a section; columns are those of the orbit.
-fn section(study: &Study, asked: &Section, watch: &dyn Watch) -> Result<Reply, StudyError> {
-    let found = asked.ask(study, watch)?;
-    let answer = json!({"rows": found.count(), "jumps": found.orbit().jumps});
-    Ok(Reply { answer, columns: in_doubles(&found.rows), ..Reply::default() })
+    let stopped = ending.why.map(|_| json!({"step": ending.step}));
+    let answer = json!({"head": head, "rows": rows.count(), "stopped": stopped, "note": ending.note});
+    Ok(Reply { answer, columns, ..Reply::default() })
 }
 
 /// Returns the largest errors of the relations in equal parts of an orbit.

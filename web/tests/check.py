@@ -70,29 +70,21 @@ def bits_are_those_of_the_command(browser, kahan):
     print(f"{steps} steps have the bits of the command")
 
 
-def sections_and_exponents_are_those_of_the_command(browser, kahan):
+def sections_are_near_those_of_the_command(browser, kahan):
     lorenz = "xdot = 10*(y - x);\nydot = 28*x - y - x*z;\nzdot = x*y - 8/3*z;"
-    given = ["--field", lorenz, "--eps", "1/200", "--at", "1,1,1", "--steps", "4000", "--json"]
-    section = json.loads(command(kahan, "section", *given, "--plane", "z - 27"))
-    exponent = json.loads(command(kahan, "dynamics", *given, "--observe", "lyapunov"))["lyapunov"]
-    with Tab(browser, address(field=lorenz, eps="1/200", at="1,1,1", section="z - 27", axes="x,y")) as tab:
+    given = ["--field", lorenz, "--eps", "1/400", "--at", "1,1,1", "--steps", "4000", "--plane", "z - 27", "--json"]
+    section = json.loads(command(kahan, "section", *given))["points"]
+    with Tab(browser, address(field=lorenz, eps="1/400", at="1,1,1", section="z=27", axes="x,y")) as tab:
         tab.waits(DRAWN)
-        tab.waits("document.querySelector('#ended').textContent.includes('crossings')")
-        assert f"{len(section['points'])} crossings" in tab.text("#ended"), tab.text("#ended")
-        points = tab.page.evaluate("lastDrawn[0].cut.slice(2).map(column => [...column])")
-        assert [list(point) for point in zip(*points, strict=True)] == section["points"]
-        tab.page.click("#exponent")
-        tab.waits("document.querySelector('#exponent-stage').textContent.includes('λ')")
-        assert float(tab.text("#exponent-stage").split()[2]) == float(f"{exponent:.4g}"), (tab.text("#exponent-stage"), exponent)
+        tab.waits(f"document.querySelector('#ended').textContent.includes('{len(section)} crossings')")
+        columns = tab.page.evaluate("lastDrawn[0].cut.slice(2).map(column => [...column])")
+        # Between two steps of Δt = 1/200 a line differs from the orbit by at most Δt²/8 of a second
+        # derivative, which is below 10⁴ on the attractor.
+        assert all(abs(x - y) < 1e4 / 200**2 / 8 for point, own in zip(section, zip(*columns), strict=True) for x, y in zip(point, own, strict=True))
         tab.page.click("#more summary")
-        tab.page.fill("#section", "z -")
-        tab.page.press("#section", "Enter")
-        tab.waits("document.querySelector('#refused').textContent.startsWith('The section:')")
-        tab.page.fill("#section", "")
-        tab.page.press("#section", "Enter")
+        tab.page.select_option("#crossed", "")
         tab.waits("!document.querySelector('#ended').textContent.includes('crossings')")
-        assert tab.text("#refused") == ""
-    print(f"a section of {len(points[0])} points and the largest exponent are those of the command")
+    print(f"a section has the {len(section)} crossings of the command")
 
 
 def the_script_is_the_commands(browser, kahan):
@@ -457,7 +449,7 @@ CHECKS = [
     classical_systems_have_orbits,
     findings_are_those_of_the_command,
     bits_are_those_of_the_command,
-    sections_and_exponents_are_those_of_the_command,
+    sections_are_near_those_of_the_command,
     the_script_is_the_commands,
     mistakes_are_the_macros,
     what_is_not_quadratic_is_lifted_by_one_click,

@@ -70,9 +70,8 @@ fn guard_below(a: Double, exponent: i32) {
     GUARD_NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
 }
 
-/// Sets the guard, the program's last result, to NaN unless 2^−DIVISOR_EXPONENT < |a| < 2^DIVISOR_EXPONENT. The
-/// argument
-/// `inverse` is near 1/a.
+/// Sets the guard, the program's last result, to NaN unless |a| is between 2^−k and 2^k, where k is
+/// [`DIVISOR_EXPONENT`]. The argument `inverse` is near 1/a.
 fn note_moderate(a: Double, inverse: Double) {
     guard_below(a, 1024 - DIVISOR_EXPONENT);
     guard_below(inverse, 1024 - DIVISOR_EXPONENT);
