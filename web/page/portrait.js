@@ -185,14 +185,15 @@ function drawPortrait(canvas = $('portrait')) {
   const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[pointVariables().indexOf(name)])))).map(see)
   // The map itself lies above what it is compared with, which is drawn wider.
   const isColoured = state.over.includes('colours') && own.length > 1
-  const rings = own.map((_, k) => (isColoured ? PAINTS[k % PAINTS.length] : '--ink'))
+  // A first point that was just added has a ring before its orbit is known.
+  const rings = state.at.map((_, k) => (isColoured ? PAINTS[k % PAINTS.length] : '--ink'))
   const isCut = own.some(({ cut }) => cut)
   const sets = lastDrawn.filter(({ cut }) => cut || !isCut).map(({ columns: all, cut, paint, method, at }, k) => {
     const columns = cut || all
     const count = cut ? cut[0].length : shownRows(all[0].length)
     const isPicked = method === 'kahan' && at === state.at[state.picked] && own.length > 1
     const seen = isSpace() ? seenPoints(columns, places, count, see) : { xs: columns[places[0]].subarray(0, count), ys: columns[places[1]].subarray(0, count) }
-    return { ...seen, isCut, paint: isColoured && method === 'kahan' ? rings[k] : paint, wider: isPicked ? 0.6 : { kahan: 0, flow: 2 }[method] ?? 0.8 }
+    return { ...seen, isCut, paint: isColoured && method === 'kahan' && rings[k] || paint, wider: isPicked ? 0.6 : { kahan: 0, flow: 2 }[method] ?? 0.8 }
   }).reverse()
   const drawn = { ...portrait(canvas, window, it => (isSpace() ? edges(it, state.axes, fitted, see) : axes(it, state.axes)), sets, starts, state.picked, rings), starts, window }
   drawPlane(drawn)

@@ -424,18 +424,18 @@ fn steps_of_large_lattices_are_those_in_double_double() {
     }
 }
 
-fn a_million_steps(of: impl FnOnce(MapAt<f64>) -> MapAt<f64>) {
+fn ten_million_steps(of: impl FnOnce(MapAt<f64>) -> MapAt<f64>) {
     let text = kahan_systems::registry::find("e3").expect("in the catalog").text();
     let map = Field::parse(text).expect("a field").with::<&str, f64>([]).expect("it has no parameters");
     let (mut x, at) = ([1.0, 2.0, 3.0], of(map.at(0.01)));
-    at.advance(&mut x, 1_000_000).expect("three variables");
+    at.advance(&mut x, 10_000_000).expect("three variables");
     assert!(x.iter().all(|x| x.is_finite()), "{x:?}");
 }
 
 #[test]
 #[ignore = "`arm/steps` reads how long it takes"]
-fn a_million_steps_in_code() {
-    a_million_steps(|at| {
+fn ten_million_steps_in_code() {
+    ten_million_steps(|at| {
         assert!(at.is_code());
         at
     });
@@ -443,6 +443,6 @@ fn a_million_steps_in_code() {
 
 #[test]
 #[ignore = "`arm/steps` reads how long it takes"]
-fn a_million_interpreted_steps() {
-    a_million_steps(|at| MapAt { coded: None, ..at });
+fn ten_million_interpreted_steps() {
+    ten_million_steps(|at| MapAt { coded: None, ..at });
 }

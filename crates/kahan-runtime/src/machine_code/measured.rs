@@ -54,7 +54,8 @@ fn instructions_of_a_step() {
         let shape = Shape { instructions, lanes: LaneCount::One, fuses: false };
         let orbit = Orbit::<f64>::compile(&program, shape).expect("it compiles");
         assert!(orbit.round_bytes() >= 4 * program.outputs.len(), "{}", entry.command);
-        println!("// {} {}", entry.command, orbit.round_bytes());
-        println!("{}", in_rust(entry.command, &program, engine.dimension()));
+        let name = entry.command.replace('-', "_");
+        println!("// {name} {}", orbit.round_bytes());
+        println!("{}", in_rust(&name, &program, engine.dimension()));
     }
 }
