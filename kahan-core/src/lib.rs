@@ -58,7 +58,7 @@
 //! | rounding without drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
 //! | error estimates along an orbit | [`Orbit::with_error_estimate`] |
 //! | tangent vectors, an observer of your own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
-//! | modes of orbits as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
+//! | orbits as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
 //!
 //! With the feature `serde` numbers, points, crossings and reports are serialisable. `serde_json`
 //! needs its feature `float_roundtrip` to read back every bit. Without default features the crate

@@ -120,8 +120,8 @@ function joined({ context, x, y, width, height }, sets) {
   context.clip()
   context.globalAlpha = 0.45
   context.lineWidth = 1
-  for (const { xs, ys, paint, isCut } of sets) {
-    if (isCut || xs.length > JOINED) continue
+  for (const { xs, ys, paint, isSection } of sets) {
+    if (isSection || xs.length > JOINED) continue
     context.strokeStyle = colour(paint)
     context.beginPath()
     for (let k = 0; k < xs.length; k++) if (Math.abs(xs[k]) + Math.abs(ys[k]) < 1e100) context.lineTo(x(xs[k]), y(ys[k]))

@@ -55,11 +55,12 @@ function open() {
 // The field is another one, and so are ε, the first points and the axes.
 function typed() {
   chosen = { eps: false, at: false }
-  state = { ...state, system: '', field: $('field').value, eps: '', at: [], picked: 0, steps: START.steps, axes: [], section: '', view: null }
+  state = { ...state, system: '', field: $('field').value, eps: '', at: [], picked: 0, steps: START.steps, axes: [], section: [], view: null }
   $('steps').value = state.steps
   fitted = null
   $('gallery').value = ''
   lastTyped = performance.now()
+  isTyped = true
   save('type')
   forget()
   later(refresh)
@@ -68,7 +69,19 @@ function typed() {
 // Milliseconds without a key before a mistake is shown.
 const PAUSE = 600
 
+let isTyped = false // whether the text was typed since the last answer
+
 async function refresh() {
+  // A field that is quadratic as it is typed needs no lift.
+  if (isTyped && state.lift) {
+    const plain = await lead.ask({ ...subject(), lift: undefined }, { ask: 'show' })
+    if (!plain) return
+    if (!plain.mistake) {
+      state = { ...state, lift: '' }
+      save()
+    }
+  }
+  isTyped = false
   const reply = await lead.ask(subject(), { ask: 'show', as: 'latex' })
   if (!reply) return
   ;[sheetOf, relationErrors] = [null, []]
@@ -135,6 +148,7 @@ let isLifting = false // whether a lift was asked for by the button
 
 // Another lift of the same text, or none.
 function lift(which) {
+  isTyped = false
   state = { ...state, lift: which, system: '' }
   save('lift')
   forget()

@@ -1,6 +1,6 @@
 // The state of the page, its address, and the history of the tab: each act of the reader is an
 // entry, so that the browser's Back and the page's Undo are one.
-const START = { system: '', field: '', lift: '', params: {}, shows: {}, eps: '', at: [], picked: 0, steps: 4000, axes: [], beside: ['euler', 'rk4'], over: [], section: '', view: null, turn: [-0.9, 0.3] }
+const START = { system: '', field: '', lift: '', params: {}, shows: {}, eps: '', at: [], picked: 0, steps: 4000, axes: [], beside: ['euler', 'rk4'], over: [], section: [], view: null, turn: [-0.9, 0.3] }
 const MOST_STEPS = 1e6
 const MOST_ORBITS = 12
 
@@ -30,7 +30,7 @@ function readAddress() {
   if (!given.has('field') && !given.has('system')) return { ...START, ...CLASSICAL[0] }
   const list = (name, between) => (given.get(name) || '').split(between).filter(Boolean)
   const pairs = name => Object.fromEntries(given.getAll(name).map(text => text.split('=')))
-  const [ends, angles] = [list('view', ',').map(Number), list('turn', ',').map(Number)]
+  const [ends, angles, crossed] = [list('view', ',').map(Number), list('turn', ',').map(Number), list('section', '=')]
   return {
     system: given.get('system') || '',
     field: given.get('field') || '',
@@ -44,7 +44,7 @@ function readAddress() {
     axes: list('axes', ','),
     beside: given.has('beside') ? list('beside', ',').filter(name => name in METHODS) : START.beside,
     over: list('over', ',').filter(name => name in OVERLAYS),
-    section: /^\w+=/.test(given.get('section')) && NUMBER.test(given.get('section').split('=')[1]) ? given.get('section') : '',
+    section: crossed.length === 2 && NUMBER.test(crossed[1]) ? crossed : [],
     view: ends.length === 4 && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3] ? [ends.slice(0, 2), ends.slice(2)] : null,
     turn: angles.length === 2 && angles.every(Number.isFinite) ? angles : START.turn,
   }
@@ -63,7 +63,7 @@ function address(state) {
   given.set('axes', state.axes.join(','))
   given.set('beside', state.beside.join(','))
   if (state.over.length) given.set('over', state.over.join(','))
-  if (state.section) given.set('section', state.section)
+  if (state.section.length) given.set('section', state.section.join('='))
   if (state.view) given.set('view', state.view.flat().map(end => decimal(end, 5)).join(','))
   if (isSpace()) given.set('turn', state.turn.map(angle => decimal(angle, 4)).join(','))
   if (isEmbedded) given.set('embed', '1')

@@ -45,7 +45,7 @@ function fields() {
   const eps = valueOf(state.eps)
   const put = (id, value) => { if (document.activeElement !== $(id)) $(id).value = value }
   put('eps', state.eps)
-  const [crossed, level] = state.section.split('=')
+  const [crossed = '', level] = state.section
   $('crossed').value = crossed
   if (crossed) put('level', level)
   put('at', state.at[state.picked] || '')
@@ -116,8 +116,8 @@ async function orbits(asker, methods) {
       const { head, rows, stopped, note } = reply.answer
       const columns = head.columns.map((_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
       const first = 2 + head.variables.length
-      const cut = method === 'kahan' ? crossings(columns) : null
-      const orbit = { names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), cut, paint: METHODS[method][1] }
+      const crossings = method === 'kahan' ? crossingsOf(columns) : null
+      const orbit = { names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), crossings, paint: METHODS[method][1] }
       made.push({ ...orbit, escaped: escapeOf(orbit) })
     }
   }
@@ -134,10 +134,10 @@ async function orbits(asker, methods) {
 
 // The columns of the points at which the orbit crosses the section, interpolated between two steps;
 // null without a section.
-function crossings(columns) {
-  const [name, level] = state.section.split('=')
+function crossingsOf(columns) {
+  const [name, level] = state.section
   const place = 2 + pointVariables().indexOf(name)
-  if (!name || place < 2) return null
+  if (place < 2) return null
   const heights = columns[place].map(value => value - valueOf(level))
   const rows = []
   for (let k = 1; k < heights.length; k++) if (heights[k - 1] < 0 && heights[k] >= 0) rows.push(k)
@@ -160,8 +160,8 @@ function show(drawn) {
 // What became of the orbits.
 function legend(own) {
   const parts = [`${own.length * (state.steps + 1)} points of ${own.length === 1 ? 'one orbit' : `${own.length} orbits`}`]
-  const cuts = own.filter(({ cut }) => cut)
-  if (cuts.length) parts.push(`${cuts.reduce((sum, { cut }) => sum + cut[0].length, 0)} crossings of the section are shown`)
+  const crossed = own.filter(({ crossings }) => crossings)
+  if (crossed.length) parts.push(`${crossed.reduce((sum, { crossings }) => sum + crossings[0].length, 0)} crossings of the section are shown`)
   own.forEach(({ escaped }, k) => {
     if (escaped !== null) parts.push(`${own.length > 1 ? `Orbit ${k + 1}` : 'It'} escapes after ${escaped} steps`)
   })
@@ -187,13 +187,13 @@ function drawPortrait(canvas = $('portrait')) {
   const isColoured = state.over.includes('colours') && own.length > 1
   // A first point that was just added has a ring before its orbit is known.
   const rings = state.at.map((_, k) => (isColoured ? PAINTS[k % PAINTS.length] : '--ink'))
-  const isCut = own.some(({ cut }) => cut)
-  const sets = lastDrawn.filter(({ cut }) => cut || !isCut).map(({ columns: all, cut, paint, method, at }, k) => {
-    const columns = cut || all
-    const count = cut ? cut[0].length : shownRows(all[0].length)
+  const isSection = own.some(({ crossings }) => crossings)
+  const sets = lastDrawn.filter(({ crossings }) => crossings || !isSection).map(({ columns: all, crossings, paint, method, at }, k) => {
+    const columns = crossings || all
+    const count = crossings ? crossings[0].length : shownRows(all[0].length)
     const isPicked = method === 'kahan' && at === state.at[state.picked] && own.length > 1
     const seen = isSpace() ? seenPoints(columns, places, count, see) : { xs: columns[places[0]].subarray(0, count), ys: columns[places[1]].subarray(0, count) }
-    return { ...seen, isCut, paint: isColoured && method === 'kahan' && rings[k] || paint, wider: isPicked ? 0.6 : { kahan: 0, flow: 2 }[method] ?? 0.8 }
+    return { ...seen, isSection, paint: isColoured && method === 'kahan' && rings[k] || paint, wider: isPicked ? 0.6 : { kahan: 0, flow: 2 }[method] ?? 0.8 }
   }).reverse()
   const drawn = { ...portrait(canvas, window, it => (isSpace() ? edges(it, state.axes, fitted, see) : axes(it, state.axes)), sets, starts, state.picked, rings), starts, window }
   drawPlane(drawn)
@@ -284,7 +284,7 @@ function wirePortrait() {
   $('crossed').onchange = $('level').onchange = () => {
     const level = $('level').value.trim()
     if (!checked($('level'), NUMBER.test(level), level || 'Nothing')) return
-    state.section = $('crossed').value && `${$('crossed').value}=${level}`
+    state.section = $('crossed').value ? [$('crossed').value, level] : []
     save('section')
     move()
   }

@@ -77,7 +77,7 @@ def sections_are_near_those_of_the_command(browser, kahan):
     with Tab(browser, address(field=lorenz, eps="1/400", at="1,1,1", section="z=27", axes="x,y")) as tab:
         tab.waits(DRAWN)
         tab.waits(f"document.querySelector('#ended').textContent.includes('{len(section)} crossings')")
-        columns = tab.page.evaluate("lastDrawn[0].cut.slice(2).map(column => [...column])")
+        columns = tab.page.evaluate("lastDrawn[0].crossings.slice(2).map(column => [...column])")
         # Between two steps of Δt = 1/200 a line differs from the orbit by at most Δt²/8 of a second
         # derivative, which is below 10⁴ on the attractor.
         assert all(abs(x - y) < 1e4 / 200**2 / 8 for point, own in zip(section, zip(*columns), strict=True) for x, y in zip(point, own, strict=True))
@@ -150,6 +150,13 @@ def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
         shared = tab.page.url
         tab.page.click("#unlift")
         tab.waits("!document.querySelector('#offer').hidden")
+        # A quadratic field that is typed after a lifted one is not lifted.
+        tab.page.click("#lift")
+        tab.waits(LIFTED)
+        tab.page.fill("#field", "x' = y, y' = 1 - x^2")
+        tab.waits("document.querySelector('#lifted').hidden && state.lift === ''")
+        tab.waits(DRAWN)
+        assert tab.page.is_hidden("#lifting")
     with Tab(browser, shared) as tab:
         tab.waits(LIFTED)
         tab.waits(DRAWN)

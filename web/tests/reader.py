@@ -236,6 +236,8 @@ def orbits_have_colours_of_their_own(browser, _):
         tab.waits("location.hash.includes('over=colours')")
         # A ring and points.
         assert tab.page.evaluate(VECTOR).count(second) == 2
+        # The picture may be drawn before the orbits of points that were just added or deleted.
+        tab.page.evaluate("state.at = [...state.at, ...state.at, '1/2,1/3']; drawPortrait(); state.at = state.at.slice(0, 1); state.picked = 0; drawPortrait()")
     print("each orbit has a colour, where that is wished")
 
 

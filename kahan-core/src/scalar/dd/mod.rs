@@ -26,7 +26,7 @@ mod traits;
 /// | operation | bound | source |
 /// |---|---|---|
 /// | `+`, `-` | 3u² + 13u³ | AccurateDWPlusDW: Joldeş, Muller, Popescu, ACM Trans. Math. Softw. 44 (2017) |
-/// | `*` | 5u² | DWTimesDW2, without fused multiply-adds DWTimesDW1: Muller, Rideau, ACM Trans. Math. Softw. 48 (2022) |
+/// | `*` | 5u² | DWTimesDW2, unfused DWTimesDW1: Muller, Rideau, ACM Trans. Math. Softw. 48 (2022) |
 /// | `/`, `recip` | 14u² | one correction of the quotient; proved in a comment of the code |
 /// | [`sqrt`](Dd::sqrt) | 4u² | SQRTDWtoDW: Lefèvre, Louvet, Muller, Picot, Rideau, ACM Trans. Math. Softw. 49 (2023), 25/8 u² |
 /// | [`exp`](Dd::exp), [`ln`](Dd::ln) | 12u², 32u² | series of a reduced argument |

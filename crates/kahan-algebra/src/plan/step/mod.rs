@@ -49,8 +49,8 @@ pub struct StepPlan {
     /// ε](Self::has_inverse_step), this plan also serves other scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
     /// The largest size ‖εf′‖∞ of 1, 10, 100 and 1000 at which the step loses few digits compared
-    /// with elimination with partial pivoting. The value is 0 if there is none. Errors are measured
-    /// at random points with a fixed seed.
+    /// with elimination with partial pivoting; 0 if the step loses more at each of these sizes.
+    /// Errors are measured at random points with a fixed seed.
     pub holds_to: u32,
 }
 
