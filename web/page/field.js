@@ -9,7 +9,8 @@ let lastTyped = -Infinity
 const entry = () => catalog.find(({ name }) => name === state.system)
 const named = (text, given = state.params) => Object.fromEntries(Object.entries(given).filter(([name, value]) => NUMBER.test(value) && new RegExp(`\\b${name}\\b`).test(text)))
 const subject = () => ({ ...(entry() ? { name: state.system } : { field: state.field, ...lifting() }), params: named(state.field) })
-const lifting = () => (state.lift ? { lift: state.lift } : {})
+let isQuadratic = false // whether the text needs no lift
+const lifting = () => (state.lift && !isQuadratic ? { lift: state.lift } : {})
 // A subject with values for the picture where parameters have none.
 const pictured = asked => {
   const missing = Object.entries(state.shows).filter(([name]) => sheetOf?.parameters.includes(name) && !(name in values) && !(name in asked.params))
@@ -60,7 +61,6 @@ function typed() {
   fitted = null
   $('gallery').value = ''
   lastTyped = performance.now()
-  isTyped = true
   save('type')
   forget()
   later(refresh)
@@ -69,19 +69,12 @@ function typed() {
 // Milliseconds without a key before a mistake is shown.
 const PAUSE = 600
 
-let isTyped = false // whether the text was typed since the last answer
-
 async function refresh() {
-  // A field that is quadratic as it is typed needs no lift.
-  if (isTyped && state.lift) {
-    const plain = await lead.ask({ ...subject(), lift: undefined }, { ask: 'show' })
-    if (!plain) return
-    if (!plain.mistake) {
-      state = { ...state, lift: '' }
-      save()
-    }
-  }
-  isTyped = false
+  // A lift applies to texts that are not quadratic as they are written.
+  isQuadratic = true
+  const plain = state.lift && await lead.ask(subject(), { ask: 'show' })
+  if (plain === null) return
+  isQuadratic = !plain.mistake
   const reply = await lead.ask(subject(), { ask: 'show', as: 'latex' })
   if (!reply) return
   ;[sheetOf, relationErrors] = [null, []]
@@ -148,7 +141,6 @@ let isLifting = false // whether a lift was asked for by the button
 
 // Another lift of the same text, or none.
 function lift(which) {
-  isTyped = false
   state = { ...state, lift: which, system: '' }
   save('lift')
   forget()

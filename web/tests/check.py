@@ -154,7 +154,7 @@ def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
         tab.page.click("#lift")
         tab.waits(LIFTED)
         tab.page.fill("#field", "x' = y, y' = 1 - x^2")
-        tab.waits("document.querySelector('#lifted').hidden && state.lift === ''")
+        tab.waits("document.querySelector('#lifted').hidden && sheetOf?.variables.join() === 'x,y'")
         tab.waits(DRAWN)
         assert tab.page.is_hidden("#lifting")
     with Tab(browser, shared) as tab:

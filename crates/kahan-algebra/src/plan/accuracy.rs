@@ -133,8 +133,8 @@ impl AccuracyLoss {
         self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
     }
 
-    /// Returns the largest tested size ‖εf′‖∞ up to which the step is accurate. Returns 0 if the step
-    /// is inaccurate at the smallest size.
+    /// Returns the largest tested size ‖εf′‖∞ up to which the step is accurate; 0 if the step is
+    /// inaccurate at the smallest tested size.
     pub(super) fn holds_to(&self) -> u32 {
         let held = STEP_SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED_RATIO);
         held.last().map_or(0, |(size, _)| *size)
