@@ -229,7 +229,7 @@ impl Field {
     /// Reads a field from its name, its text or its coefficients. If `of` is given, takes the field
     /// `of` at other parameter values, with shared plans and compiled code.
     #[new]
-    #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, of = None))]
+    #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, fused = false, of = None))]
     fn new(
         py: Python<'_>,
         text: FieldSource<'_>,
@@ -237,6 +237,7 @@ impl Field {
         sites: Option<usize>,
         parameters: Vec<(String, String)>,
         lift: Option<Lift>,
+        fused: bool,
         of: Option<PyRef<'_, Field>>,
     ) -> PyResult<Self> {
         let exactly = |(name, value): (String, String)| match number(&value) {
@@ -245,11 +246,12 @@ impl Field {
         };
         let parameters = parameters.into_iter().map(exactly).collect::<PyResult<Vec<_>>>()?;
         if let Some(of) = of {
-            let study = of.study.given_by_name(&parameters).map_err(|error| of_study(py, &error))?;
+            let study = of.study.given_by_name(&parameters).and_then(|study| study.fusing(fused));
+            let study = study.map_err(|error| of_study(py, &error))?;
             return Ok(Field { study, last: Mutex::default() });
         }
         let subject = text.subject(py, is_name)?;
-        let subject = sites.into_iter().fold(subject, Subject::sites);
+        let subject = sites.into_iter().fold(subject, Subject::sites).fusing(fused);
         let lifting = lift.map(lifting).transpose()?;
         let subject = lifting.into_iter().fold(subject, Subject::lifting);
         let subject =
@@ -266,6 +268,12 @@ impl Field {
     #[getter]
     fn name(&self) -> &str {
         self.study.name()
+    }
+
+    /// Whether steps in floats fuse multiply-adds.
+    #[getter]
+    fn fused(&self) -> bool {
+        self.study.fuses()
     }
 
     /// The text in the language of `kahan!`.

@@ -62,11 +62,11 @@ impl<T: RuntimeFloat> MapAt<T> {
     pub(crate) fn new(map: Map, constants: Arc<[T]>, precision: Precision) -> Self {
         let composition = Composition::KAHAN;
         MapAt {
-            map,
             of_integrals: Arc::clone(&constants),
             constants,
             composition,
-            kind: StepKind::of(precision, cfg!(target_feature = "fma")),
+            kind: StepKind::of(precision, map.fuses),
+            map,
             set: None,
             stages: Arc::default(),
             coded: None,
@@ -99,7 +99,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             Level::Avx512 => (Some(InstructionSet::Avx512), true),
             Level::Avx2 => (Some(InstructionSet::Avx2), true),
             Level::Neon => (Some(InstructionSet::Neon), true),
-            _ => (None, cfg!(target_feature = "fma")),
+            _ => (None, StepKind::INTERPRETER_FUSES),
         };
         let at = MapAt { kind: StepKind { fuses, ..self.kind }, set, ..self.clone() };
         let at = at.composed(self.composition);

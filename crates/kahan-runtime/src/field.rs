@@ -6,6 +6,7 @@ use kahan_algebra::derived::Derived;
 use kahan_algebra::system::System;
 
 use crate::engine::Engine;
+use crate::machine_code::{InstructionSet, StepKind};
 use crate::parameters::values_of;
 use crate::{Diagnostics, FieldText, Map, ParameterError, ParameterValue};
 
@@ -69,7 +70,7 @@ impl Field {
         N: AsRef<str>,
         V: ParameterValue,
     {
-        Ok(Map::new(self.clone(), values_of(self.derived(), values)?))
+        Ok(Map::new(self.clone(), values_of(self.derived(), values)?, StepKind::INTERPRETER_FUSES))
     }
 
     /// Returns the map of a field without parameters.
@@ -78,6 +79,12 @@ impl Field {
     /// [`ParameterError`] if the field has parameters.
     pub fn map(&self) -> Result<Map, ParameterError> {
         self.with::<&str, f64>([])
+    }
+
+    /// Returns whether [`Map::fused`] has steps for this field on this processor.
+    #[must_use]
+    pub fn has_fused_steps(&self) -> bool {
+        InstructionSet::least(true).is_available() && self.engine.steps().form(false).has_lanes()
     }
 
     /// Returns the names of the state variables, in the order of a state's entries.

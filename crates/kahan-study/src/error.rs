@@ -34,6 +34,13 @@ pub enum StudyError {
     Field(Diagnostics),
     /// A number of sites is given, but the equations are not those of a general site i.
     NoFamily,
+    /// The field has no steps that fuse multiply-adds: [`Field::has_fused_steps`].
+    ///
+    /// [`Field::has_fused_steps`]: kahan_runtime::Field::has_fused_steps
+    NoFusedSteps {
+        /// The name of the field.
+        system: String,
+    },
     /// A chain of this length has more than [`MOST_VARIABLES`] variables.
     ManySites {
         /// The given number of sites.
@@ -300,6 +307,12 @@ impl StudyError {
             Self::Field(mistakes) => fmt::Display::fmt(mistakes, f),
             Self::NoFamily => f.write_str(
                 "sites are for a family, `for i in periodic { x[i]dot = …; }`, and this field has its equations written out",
+            ),
+            Self::NoFusedSteps { system } => write!(
+                f,
+                "{system} has no fused steps: they are machine code of a field of few terms, on a processor with fused multiply-adds; \
+                 leave {} out",
+                named("fused")
             ),
             Self::ManySites { sites } => write!(
                 f,

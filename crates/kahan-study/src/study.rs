@@ -48,6 +48,8 @@ struct ReadField {
     proved: OnceLock<Result<(), StudyError>>,
     field: OnceLock<Field>,
     interpreter: OnceLock<Interpreter>,
+    /// Whether steps in floats fuse multiply-adds.
+    fuses: bool,
 }
 
 #[derive(Debug)]
@@ -94,8 +96,9 @@ impl Subject {
             proved: OnceLock::new(),
             field: OnceLock::new(),
             interpreter: OnceLock::new(),
+            fuses: false,
         };
-        Study::new(Arc::new(read), Vec::new()).given_by_name(&self.parameters)
+        Study::new(Arc::new(read), Vec::new()).given_by_name(&self.parameters)?.fusing(self.fuses)
     }
 }
 
@@ -110,6 +113,26 @@ impl Study {
         let lifted = self.lifted().map(Lifted::showing_all);
         let read = ReadField { lifted, ..(*self.read).clone() };
         Study { read: Arc::new(read), here: Arc::clone(&self.here) }
+    }
+
+    /// Returns a study whose steps in floats fuse multiply-adds, or do not; see [`Map::fused`].
+    ///
+    /// # Errors
+    /// [`StudyError::NoFusedSteps`] if the field has no fused steps on this processor.
+    pub fn fusing(&self, fuses: bool) -> Result<Self, StudyError> {
+        if fuses == self.fuses() {
+            return Ok(self.clone());
+        }
+        if fuses && !self.field().has_fused_steps() {
+            return Err(StudyError::NoFusedSteps { system: self.name().to_owned() });
+        }
+        Ok(Study::new(Arc::new(ReadField { fuses, ..(*self.read).clone() }), self.here.given.clone()))
+    }
+
+    /// Returns whether steps in floats fuse multiply-adds by choice.
+    #[must_use]
+    pub fn fuses(&self) -> bool {
+        self.read.fuses
     }
 
     /// Returns the name in the catalog, or else the name of the type, or else `field`.
@@ -417,7 +440,8 @@ impl Study {
 
     /// Returns the map at other values of the parameters; `None` if the field divides by zero.
     pub(crate) fn map_at(&self, values: &[Rational]) -> Option<Map> {
-        self.field().with(self.parameters().iter().zip(values)).ok()
+        let map = self.field().with(self.parameters().iter().zip(values)).ok()?;
+        if self.fuses() { map.fused() } else { Some(map) }
     }
 
     pub(crate) fn in_floats(

@@ -14,7 +14,7 @@ use crate::numbers::exact;
 /// A field given by a user.
 ///
 /// In JSON a subject has a `name` in the catalog or a text `field`, and optionally `params`,
-/// `sites` and a `lift`: `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
+/// `sites`, a `lift` and `fused`: `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -30,6 +30,7 @@ pub struct Subject {
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) sites: Option<usize>,
     pub(crate) lifting: Option<Lifting>,
+    pub(crate) fuses: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -85,7 +86,7 @@ impl Subject {
     }
 
     fn of(field: SubjectSource) -> Self {
-        Subject { field, parameters: Vec::new(), sites: None, lifting: None }
+        Subject { field, parameters: Vec::new(), sites: None, lifting: None, fuses: false }
     }
 
     /// Gives a parameter a value.
@@ -121,6 +122,12 @@ impl Subject {
     pub fn lifting(self, lifting: Lifting) -> Self {
         Subject { lifting: Some(lifting), ..self }
     }
+
+    /// Selects whether steps in floats fuse multiply-adds; see [`Map::fused`](kahan_runtime::Map).
+    #[must_use]
+    pub fn fusing(self, fuses: bool) -> Self {
+        Subject { fuses, ..self }
+    }
 }
 
 #[derive(Deserialize)]
@@ -132,6 +139,8 @@ struct Object {
     params: BTreeMap<String, Value>,
     sites: Option<usize>,
     lift: Option<String>,
+    #[serde(default)]
+    fused: bool,
 }
 
 #[derive(Deserialize)]
@@ -139,7 +148,7 @@ struct Value(#[serde(with = "exact")] Rational);
 
 impl<'de> Deserialize<'de> for Subject {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Object { name, field, params, sites, lift } = Object::deserialize(deserializer)?;
+        let Object { name, field, params, sites, lift, fused } = Object::deserialize(deserializer)?;
         let subject = match (name, field) {
             (Some(name), None) => Subject::named(name),
             (None, Some(text)) => Subject::text(text),
@@ -152,6 +161,6 @@ impl<'de> Deserialize<'de> for Subject {
             known.ok_or_else(|| D::Error::custom(format!("`{name}` is no lift; there is `automatic`")))
         };
         let lifting = lift.map(which).transpose()?.map(|which| Lifting { which, ..Lifting::default() });
-        Ok(Subject { sites, lifting, ..subject })
+        Ok(Subject { sites, lifting, fuses: fused, ..subject })
     }
 }

@@ -115,6 +115,7 @@ const OF_ORBITS: [&str; 12] = [
     "steps",
     "escape",
     "reembed",
+    "fused",
 ];
 
 /// Parses an observable with one value, or the name of a column. The help lists observables only.
@@ -159,6 +160,7 @@ impl QuestionCommand for Chart {
         let axes = self.over.iter().map(|over| reading::over(over));
         let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
         let (study, at, eps) = self.start.study_over(&axes)?;
+        let study = study.fusing(self.stepping.fused)?;
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let observe = Observe {

@@ -101,6 +101,7 @@ impl QuestionCommand for Dynamics {
 
     fn read_question(&self) -> Result<(Study, Observe), UsageError> {
         let (study, at, eps) = self.start.study()?;
+        let study = study.fusing(self.stepping.fused)?;
         let Dynamics { before, steps, order, renormalize, spectrum, escape, stepping, ref observe, .. } =
             *self;
         let (transient, reembed, observe) = (before.transient, stepping.reembed, observe.clone());

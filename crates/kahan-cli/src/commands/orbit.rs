@@ -53,7 +53,7 @@ pub(crate) struct Orbit {
     /// of the chain, and functions such as sin, cos, tanh, sech, exp and sqrt. A file has a row per
     /// site and a column per array. Values of --param may be formulas or files as well. For more
     /// than 200 variables, the rows show the range of each array.
-    #[arg(id = "begin", long = "start", value_name = "S", conflicts_with_all = ["at", "reembed"], requires = "sites")]
+    #[arg(id = "begin", long = "start", value_name = "S", conflicts_with_all = ["at", "reembed", "fused"], requires = "sites")]
     begin: Option<String>,
 
     /// One orbit for each value of a parameter, eps or variable: NAME=FROM:TO:N.
@@ -98,7 +98,7 @@ pub(crate) struct Orbit {
     /// are integrals. Near poles, floats are computed with hundreds of digits, so that no accuracy
     /// is lost. The orbit ends where the limit depends on the direction of approach. Up to 8
     /// variables.
-    #[arg(long, conflicts_with_all = ["begin", "reembed"])]
+    #[arg(long, conflicts_with_all = ["begin", "reembed", "fused"])]
     projective: bool,
 
     #[command(flatten)]
@@ -135,7 +135,7 @@ impl QuestionCommand for Orbit {
 
     fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let (study, at, eps) = self.start.study()?;
-        Ok((study, self.question(eps, at)))
+        Ok((self.stepped(&study)?, self.question(eps, at)))
     }
 
     fn run(&self) -> Result<Answer, UsageError> {
@@ -152,7 +152,7 @@ impl QuestionCommand for Orbit {
         }
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
-        let study = asked[0].study(&study)?;
+        let study = asked[0].study(&self.stepped(&study)?)?;
         // All orbits begin before the first row is written, because one of them may be refused.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
@@ -167,6 +167,17 @@ impl QuestionCommand for Orbit {
 }
 
 impl Orbit {
+    /// Returns the field with the steps that the options select.
+    fn stepped(&self, study: &Study) -> Result<Study, UsageError> {
+        let fused = self.stepping.fused;
+        if fused && (self.method != Method::Kahan || self.scalar == ScalarKind::Exact) {
+            return Err(UsageError::new(
+                "--fused is for steps of Kahan's map in floats: leave --method and --scalar exact out",
+            ));
+        }
+        Ok(study.fusing(fused)?)
+    }
+
     fn question(&self, eps: Rational, at: Vec<Rational>) -> Question {
         let Orbit { before, steps, every, scalar, order, method, projective, stepping, .. } = *self;
         let (transient, reembed) = (before.transient, stepping.reembed);

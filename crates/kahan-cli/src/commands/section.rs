@@ -98,6 +98,7 @@ impl QuestionCommand for Section {
         } else {
             self.start.starts_over(&axes)?
         };
+        let study = study.fusing(self.stepping.fused)?;
         let at = if starts.len() == 1 { starts.swap_remove(0) } else { Vec::new() };
         let (plane, direction) =
             section(&study, self.plane.as_deref(), self.maxima.as_deref(), self.direction)?;

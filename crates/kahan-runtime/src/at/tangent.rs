@@ -76,7 +76,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             constants.push(inverse);
         }
         constants.push(eps);
-        let map = crate::Map::new(field, parameters);
+        let map = crate::Map::new(field, parameters, self.kind.fuses);
         MapAt::new(map, constants.into(), self.kind.precision).composed(self.composition)
     }
 }

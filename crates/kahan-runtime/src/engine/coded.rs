@@ -69,10 +69,11 @@ impl<T: RuntimeFloat> CompiledStages<T> {
     /// Returns the code for `steps` further steps; `None` if compilation fails or does not pay yet.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
-        if once.get().is_none() && !engine.codes.is_worth_compiling(steps, engine) {
+        let kind = StepKind { compensated: carries, ..self.kind };
+        let may_wait = kind.fuses == StepKind::INTERPRETER_FUSES;
+        if once.get().is_none() && may_wait && !engine.codes.is_worth_compiling(steps, engine) {
             return None;
         }
-        let kind = StepKind { compensated: carries, ..self.kind };
         let compile = || match engine.has_loops(kind) {
             true => Some(Arc::new(OrbitCode::loops(kind))),
             false => engine.codes.orbit(engine, kind, self.constants.len() > 1),

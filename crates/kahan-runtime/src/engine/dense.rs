@@ -33,7 +33,7 @@ impl Engine {
     /// Returns whether loops over packed coefficients apply to steps of this kind.
     pub(super) fn has_loops(&self, kind: StepKind) -> bool {
         kind.precision != Precision::DoubleDouble
-            && kind.fuses == cfg!(target_feature = "fma")
+            && kind.fuses == StepKind::INTERPRETER_FUSES
             && self.derived.is_dense()
     }
 

@@ -36,6 +36,9 @@ pub(crate) struct TangentKind {
 }
 
 impl StepKind {
+    /// Whether the interpreter, which is compiled by rustc, fuses multiply-adds.
+    pub(crate) const INTERPRETER_FUSES: bool = cfg!(target_feature = "fma");
+
     pub(crate) fn of(precision: Precision, fuses: bool) -> Self {
         StepKind { precision, compensated: false, is_general: false, rounds_increments: false, fuses }
     }

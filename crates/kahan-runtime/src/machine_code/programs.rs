@@ -89,7 +89,7 @@ impl StepKind {
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
             && self.precision != Precision::DoubleDouble
-            && self.fuses == cfg!(target_feature = "fma")
+            && self.fuses == Self::INTERPRETER_FUSES
             && engine.codes.operations(engine).is_some_and(|operations| operations <= MOST_OPERATIONS)
     }
 

@@ -222,6 +222,9 @@ pub struct OrbitHead {
     /// The execution of float steps: `machine code` or `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
+    /// Whether steps in machine code fuse multiply-adds; see [`Study::fusing`].
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub fused: bool,
     /// Whether the orbit continues through poles.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub projective: bool,
@@ -408,6 +411,7 @@ impl Orbit {
             every: self.every,
             columns: columns(study.shown(), map.field().integrals()),
             runs_as: points.is_code().map(|is_code| if is_code { "machine code" } else { "interpreted" }),
+            fused: study.fuses() && points.is_code() == Some(true),
             projective: self.projective,
         };
         let all = columns(study.variables(), map.field().integrals());

@@ -21,6 +21,7 @@ impl Orbit {
     pub(super) fn over(&self) -> Result<Answer, UsageError> {
         let axes: Vec<Axis> = self.over.iter().map(|text| reading::over(text)).collect::<Result<_, _>>()?;
         let (study, starts, eps) = self.start.starts_over(&axes)?;
+        let study = self.stepped(&study)?;
         let known = [study.coordinates(), study.parameters(), &["eps".to_owned()]].concat();
         for (place, Axis { name, .. }) in axes.iter().enumerate() {
             if !known.contains(name) {
