@@ -1,6 +1,6 @@
 //! Advances 2 500 springs that start close together and lose their common phase.
 //!
-//! Larger oscillations take longer. Therefore the mean velocity decays.
+//! Larger oscillations have longer periods. Therefore phases drift, and the mean velocity decays.
 
 use kahan_core::prelude::*;
 

@@ -1,7 +1,7 @@
-//! Exact orbits over big rationals. The growth of their numbers of digits reveals integrals.
+//! Exact orbits over big rationals, whose growing digits show whether the map has integrals.
 //!
-//! If integrals confine the orbit to a curve (E6), the number of digits grows like the square of
-//! the number of steps. Otherwise each step doubles the digits (Lotka–Volterra).
+//! If integrals confine an orbit to a curve, the number of digits grows like the square of the
+//! number of steps. Otherwise each step doubles the number of digits.
 
 use kahan_core::prelude::*;
 
@@ -18,8 +18,8 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// Returns the number of digits in the denominator of x after each step. Also asserts that as many
-/// steps back lead to the start.
+/// Returns the number of digits in the denominator of x after each step. Also asserts that equally
+/// many inverse steps return to the start.
 fn digits<const N: usize>(map: &impl KahanMap<BigRational, N>, x: [(i64, i64); N]) -> Vec<usize> {
     let start = SVector::from(x.map(|(p, q)| BigRational::new(p.into(), q.into())));
     let eps = BigRational::new(1.into(), 3.into());

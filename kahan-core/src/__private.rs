@@ -16,7 +16,7 @@ pub use num_traits::PrimInt;
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
-/// Elimination for dense fields, used by `kahan-runtime`.
+/// Elimination for fields with many nonlinear terms, used by `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod dense {
     pub use crate::dense::{Workspace, assemble, coefficients, pack, points, velocities, velocity};
@@ -29,11 +29,11 @@ pub use crate::ensemble::{
 };
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
-/// Elimination for fields without closed forms, used by `kahan-runtime`.
+/// Elimination for fields whose step has no closed formula, used by `kahan-runtime`.
 pub use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 #[cfg(feature = "std")]
 pub use crate::supernodes::{PanelWorkspace, Supernodes};
-/// The solver of chains, used by `kahan-runtime`.
+/// The solver of lattice systems (chains of sites), used by `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod chain {
     pub use crate::lattice::{Gathered, SiteLine, StencilMenu};
@@ -77,8 +77,8 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions with the names of the arguments of generated methods. Generated code imports them to
-/// hide constants of the user, because a constant `x` would turn the argument `x` into a pattern.
+/// Functions named like the arguments of generated methods. Generated code imports these functions
+/// to hide user constants: a constant `x` would turn the argument `x` into a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}

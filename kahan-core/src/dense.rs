@@ -1,9 +1,9 @@
 //! Elimination for dense fields f, in loops over rows or over the points of an ensemble.
 //!
-//! [`velocity`] computes A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). The operations run in the order of
-//! [`Couplings`](crate::__private::Couplings), for any number of lanes. Products xⱼxₖ that do not
-//! occur in f have the coefficient 0. If all products are finite, such terms change at most the
-//! signs of zeros.
+//! [`velocity`] computes A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). For any number of lanes, the
+//! operations and their order are those of [`Couplings`](crate::__private::Couplings). Products
+//! xⱼxₖ that do not occur in f have the coefficient 0. If all products are finite, these terms
+//! change at most the signs of zeros.
 
 mod points;
 #[cfg(test)]
@@ -75,7 +75,7 @@ pub struct Workspace<T> {
     /// The matrix A(x,ε) column by column, followed by f(x).
     columns: Vec<T>,
     factors: Vec<T>,
-    /// The pivots with a large factor below them. The rows of these pivots are tested at the end.
+    /// The pivots with a large factor below them. Later, their rows are tested for large entries.
     suspects: Vec<usize>,
 }
 
@@ -141,7 +141,7 @@ impl<T: InLanes> OverLanes<T> for DenseWork<'_, T> {
     }
 }
 
-/// Loops over registers of the type L, whose lanes hold rows, or points if `POINTS` is true.
+/// Loops over registers of type L. If `POINTS` is true, a lane holds a point, otherwise a row of A.
 #[derive(Clone, Copy)]
 struct Loops<T, L, const POINTS: bool> {
     variables: usize,

@@ -1,7 +1,7 @@
 //! The macros of the crate.
 //!
-//! `kahan!` passes `$crate` to the procedural macro, so that renamed dependencies work. The
-//! `vector!` of nalgebra would force users to depend on `nalgebra`.
+//! `kahan!` passes `$crate` to the procedural macro, so that renamed dependencies work. The crate
+//! has its own `vector!`, because that of nalgebra works only for users who depend on `nalgebra`.
 
 /// Turns a quadratic system of differential equations into its Kahan map.
 ///

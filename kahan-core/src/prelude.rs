@@ -9,7 +9,7 @@ pub use crate::{
 
 pub use nalgebra::{SMatrix, SVector};
 
-// With these traits, rustc can explain which declaration a block lacks.
+// With these traits in scope, rustc explains which declaration a `kahan!` block lacks.
 #[doc(hidden)]
 pub use crate::undeclared::{IntegerParameters as _, WithoutDensity as _, WithoutIntegrals as _};
 

@@ -21,7 +21,7 @@ const MOST_ROWS: usize = 32;
 const ROWS_TOGETHER: usize = 4;
 /// The maximum number of pivot rows that are subtracted from rows at once.
 const MAX_PIVOTS_TOGETHER: usize = 16;
-/// A panel with at most this number of pivots may reduce rows one pivot at a time.
+/// A panel reduces rows one pivot at a time only if it has at most this number of pivots.
 const MAX_SINGLE_PIVOTS: usize = 4;
 /// From this number of columns on, loops over lanes save time.
 const MIN_LANE_COLUMNS: u32 = 4;
@@ -56,8 +56,8 @@ struct PanelReduction {
     behind: usize,
     tasks: Range<usize>,
     runs: Range<usize>,
-    /// The position in `lists` of the first column after the last pivot. `Some` if rows are reduced
-    /// one pivot at a time.
+    /// If rows are reduced one pivot at a time, the index in `lists` of the first column after the
+    /// last pivot.
     list: Option<usize>,
 }
 
@@ -75,7 +75,7 @@ struct RowReduction {
 /// A range of panel columns in which a pivot row has entries.
 #[derive(Clone, Debug)]
 struct ColumnRun {
-    /// The number of entries of the last pivot row between the diagonal and this range.
+    /// The number of entries of a pivot row between the last pivot's column and this range.
     before: u32,
     column: u32,
     length: u32,
@@ -224,8 +224,8 @@ impl Supernodes {
         begin..self.tasks.len()
     }
 
-    /// Appends the joint reduction of `ROWS_TOGETHER` rows by the pivots before `end`. Some pivots
-    /// reduce only some of these rows; they are applied separately.
+    /// Appends the joint reduction of `ROWS_TOGETHER` rows by the pivots before `end`. A pivot that
+    /// reduces only some of these rows is applied to each of them separately.
     fn push_together(&mut self, rows: [usize; ROWS_TOGETHER], firsts: [usize; ROWS_TOGETHER], end: usize) {
         let first = firsts.into_iter().fold(0, usize::max).min(end);
         for (r, own) in rows.into_iter().zip(firsts) {
@@ -258,9 +258,9 @@ impl Supernodes {
     /// Replaces A by its LU factors, as [`Couplings::factor`] does. Returns `false` if a pivot is 0
     /// or too small; the values are then useless.
     ///
-    /// With `flushes`, an entry is replaced by 0 if it is negligible in its row and in its column
-    /// of A. A negligible entry is below [`InLanes::NEGLIGIBLE`] times the largest off-diagonal
-    /// entry. Without `flushes`, factors of distant variables can become subnormal, which is slow.
+    /// With `flushes`, an entry is replaced by 0 if it is negligible in its row and in its column:
+    /// below [`InLanes::NEGLIGIBLE`] times the largest off-diagonal entry of A there. Without
+    /// `flushes`, factors of distant variables can become subnormal, which is slow.
     #[must_use]
     pub fn factor<T: InLanes>(
         &self,
@@ -480,7 +480,7 @@ impl<T: InLanes> PanelWork<'_, T> {
             let [diagonal, _] = self.pivot(first + k);
             self.workspace.uppers[k] = diagonal + count - k;
         }
-        // The rows of these pivots have entries in the columns of all later pivots.
+        // Each pivot row has entries in the columns of all later pivots of this reduction.
         let left = reduction.end - end;
         let column = reduction.behind - left;
         for r in 0..R {

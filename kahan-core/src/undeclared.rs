@@ -1,7 +1,7 @@
 //! Methods that a system lacks, with diagnostics that say which declaration is missing.
 //!
 //! The bounds of these methods are never satisfied, and therefore every call is a compile error.
-//! The methods take `&mut self`, because rustc prefers existing methods that take `&self`.
+//! The methods take `&mut self`, because rustc prefers declared methods, which take `&self`.
 
 use core::iter::Empty;
 
@@ -43,7 +43,7 @@ fn unanswered() -> ! {
 
 /// The methods that a block without integrals gets.
 pub trait WithoutIntegrals {
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
     where
         Block: DeclaresIntegral<Self, T>,
@@ -54,7 +54,7 @@ pub trait WithoutIntegrals {
 
 /// The methods that a block without a density gets.
 pub trait WithoutDensity {
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn density<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> T
     where
         Block: DeclaresDensity<Self, T>,

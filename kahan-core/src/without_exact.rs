@@ -1,4 +1,4 @@
-//! A placeholder for `BigRational` without the feature `exact`. rustc then says how to enable it.
+//! Replaces `BigRational` in builds without the feature `exact`, which rustc's errors then name.
 
 use core::marker::PhantomData;
 

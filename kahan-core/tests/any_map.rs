@@ -1,4 +1,4 @@
-//! Compares the interface of any map at its ε with the methods of each map.
+//! Compares the trait `Step` with the methods of each type that implements it.
 
 use kahan_core::observe::{
     Direction, Drift, Escape, Extrema, FirstCrossings, Observer, Section, TangentMap, first_crossing,
@@ -251,7 +251,7 @@ fn a_run_ends_with_the_first_observer_that_is_done() {
     assert_eq!(reports, [[0, 1]]);
 }
 
-/// Groups have 16 trajectories, and bursts have 16 steps. Each trajectory ends in another burst.
+/// Groups have 16 trajectories, bursts 16 steps. A group's trajectories end in different bursts.
 #[test]
 fn in_an_ensemble_each_trajectory_is_seen_until_it_is_done() {
     let map = E6.at(EPS);

@@ -34,8 +34,8 @@ where
     Flow::through(field, SVector::from(start).map(T::from), end, 0.0, &mut |_| true)
 }
 
-/// The flow is stored in about forty pieces, each with an error below one rounding unit. Later, the
-/// flow amplifies an early error by at most 1/(4x₀) = 2.5.
+/// The flow is stored as about forty polynomials in t, each with an error below one rounding unit.
+/// The flow amplifies the error of one of them by at most 1/(4x₀) = 2.5 in the remaining time.
 #[test]
 fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     let f64s = through::<_, f64, 1>(&Logistic, [0.1], 10.0).expect("it exists");
@@ -43,7 +43,7 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     for k in 0..=1000 {
         let t = f64::from(k) / 100.0;
         let (narrow, wide) = (f64s.at(t.into())[0], dds.at(t.into())[0]);
-        // The function `exp` and four operations round by 3 units.
+        // In the next line, `exp` and the four operations round by at most 3 units together.
         let exact = 0.1 / (0.1 + 0.9 * (-t).exp());
         assert!((f64::from(wide) - exact).abs() <= 3.0 * f64::EPSILON, "t = {t}");
         let apart = f64::from((Dd::from(narrow) - wide).abs());

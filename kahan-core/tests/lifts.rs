@@ -1,4 +1,4 @@
-//! Tests blocks that the macro lifts: initial values, steps, and integrals.
+//! Tests `lift` blocks, which the macro makes quadratic: initial values, steps, and integrals.
 
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;

@@ -42,8 +42,8 @@ pub struct Entry {
 /// The source of claims that `kahan discover` found from the equations.
 pub(crate) const FOUND: &str = "found by kahan discover";
 
-/// Makes the entry of one of the systems E1 to E6, whose claims fill a row of the paper's tables.
-/// The last argument is a remark about the tensor Q.
+/// Makes the entry of one of the systems E1 to E6, whose sources are rows of the paper's tables.
+/// The last argument is a remark about the bracket Q.
 macro_rules! row_of_the_tables {
     ($i:literal, $title:literal $(, $remark:literal)?) => {
         Entry::new(concat!("e", $i), concat!("E", $i), $title, include_str!(concat!("e", $i, ".rs")))

@@ -7,8 +7,8 @@
 //! 2. Add a line to [`with_catalog!`](crate::with_catalog), for example `toda::Toda { a } in 4;`
 //!    for a system with four variables.
 //!
-//! The command, the atlas, the completions and the tests read the registry. `cargo fmt` skips the
-//! catalog; `rustfmt systems/src/catalog/*.rs` formats it.
+//! The `kahan` command, its shell completions, the atlas (the crate `kahan-atlas`) and the tests
+//! read the registry. `cargo fmt` skips the catalog; `rustfmt systems/src/catalog/*.rs` formats it.
 
 use crate::catalog::*;
 use crate::entry::Entry;

@@ -31,7 +31,7 @@ pub(crate) struct Palindrome<P> {
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// Creates a symmetric composition. Its stages k < `len` are `step(k)`, and `len` is 1 to 9.
+    /// Creates a symmetric composition of 1 to 9 distinct stages: stage k < `len` is `step(k)`.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
@@ -104,7 +104,7 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // The method `part` takes ε as an argument; therefore the first stage computes all stages.
+        // All stages have one map, and `part` takes ε; the first stage therefore computes all.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))
@@ -202,7 +202,7 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Composes the steps of this orbit, and keeps the compensation of rounding errors.
+    /// Returns the compensated orbit of a composition that starts at this orbit's state.
     #[inline]
     pub fn composed(self, composition: Composition) -> Orbit<Compensated<Composed<KahanAt<M, T, N>>>> {
         self.with_map(|Compensated(at)| Compensated(at.composed(composition)), |state| state)

@@ -80,8 +80,8 @@ impl Decimal {
     }
 }
 
-/// Rounds part/10⁴⁰, a number from 0 to 2, to `bits` bits. Returns the float, the remainder, and
-/// the value of the float's last bit.
+/// Rounds the number `part`/10⁴⁰, which is from 0 to 2, to `bits` bits. Returns the float, the
+/// remainder, and the value of the float's last bit.
 const fn nearest(part: Integer256, bits: u32) -> (f64, Integer256, f64) {
     let (mut rest, mut unit) = (part, 1.0);
     while rest.is_less_than(UNIT) {

@@ -22,9 +22,9 @@ pub(crate) use stages::Staged;
 /// # What survives
 /// - **Reversibility**: the inverse of a composition is the composition with −ε.
 /// - **Affine equivariance** and **linear integrals**, as for Kahan's map.
-/// - **Integrals and invariant measures that do not depend on ε**: for example y/x of the systems
-///   E1 and E3, or the ratio H/K of two integrals whose dependence on ε cancels (E2, E4, E5, E6).
-///   For the Euler top of the catalog this ratio is (1 − H)/(1 − 1/K).
+/// - **Integrals and invariant measures that do not depend on ε**: in the catalog `kahan-systems`,
+///   these are y/x for E1 and E3, and the ratio H/K of the integrals H and K for E2, E4, E5 and E6.
+///   For the Euler top the ratio is (1 − H)/(1 − 1/K).
 ///
 /// # What does not
 /// - **Integrals and measures that depend on ε**: the composition conserves none of these. In a

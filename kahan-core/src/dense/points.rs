@@ -17,7 +17,7 @@ pub const fn points<T: InLanes>() -> usize {
 
 /// Replaces each of [`points`] points x by A(x,ε)⁻¹f(x). Entry i of point p has the index
 /// i·[`points`] + p. If |`growth[p]`| exceeds [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR),
-/// the pivots of point p are too small. A zero pivot gives numbers that are not finite.
+/// a pivot of point p is too small. Zero pivots give infinities or NaNs.
 pub fn velocities<T: InLanes>(
     packed: &[T],
     x: &mut [T],
@@ -63,10 +63,10 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
-    /// Replaces the last column by the solution, and returns the growth. For each pivot, take the
-    /// smaller of two numbers: the largest factor below the pivot, and the largest quotient of its
-    /// row by it. The growth is the maximum over all pivots. `sizes` is memory for two numbers per
-    /// variable.
+    /// Replaces the last column by the solution, and returns the growth. For a pivot p, let r be
+    /// the largest |entry| to the right of p in its row, and c the largest |entry| below p. The
+    /// growth is the maximum of min(r, c)/|p| over all pivots. `sizes` is memory for two numbers
+    /// per variable.
     #[inline(always)]
     fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
         let (n, zero) = (self.variables, L::spread(&T::zero()));
@@ -117,7 +117,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
         growth
     }
 
-    /// Subtracts multiples of earlier pivot rows from W rows in column j, from row `first` on.
+    /// In column j, reduces W entries, from row `first` on, by all earlier pivot rows.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {

@@ -26,8 +26,8 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
         None
     }
 
-    /// Advances columns of equal length; `first` is the index of their first group. If a map meets
-    /// a pole and the scalar has no reciprocal of zero, the error is the ε of this map.
+    /// Advances columns of equal length; `first` is the index of the columns' first group. If a map
+    /// meets a pole and 1/0 has no value in T, the error is the ε of this map.
     #[doc(hidden)]
     fn advance(
         &self,
@@ -180,7 +180,7 @@ where
 
 pub(crate) type ColumnSlices<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
-/// Splits the columns into halves of whole tiles, or returns `Err` if there is too little work.
+/// Splits the columns near the middle, or returns them in `Err` if there is too little work.
 #[cfg(feature = "parallel")]
 fn halves<T, const N: usize>(
     mut columns: ColumnSlices<'_, T, N>,

@@ -17,8 +17,8 @@ const CACHE_LINE: usize = 64;
 
 /// N columns of equal length in one allocation.
 ///
-/// A column takes an odd number of groups. Therefore equal indices of nearby columns, with fewer
-/// than 31 columns between them, never compete for one cache set.
+/// Columns are an odd number of groups apart. Therefore equal indices of 32 successive columns lie
+/// in different sets of the first-level cache.
 pub(crate) struct Columns<T, const N: usize> {
     entries: Vec<T>,
     /// The index of the first entry, which lies at the start of a cache line.

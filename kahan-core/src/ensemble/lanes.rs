@@ -100,8 +100,8 @@ pub trait InLanes: EnsembleScalar {
     /// The number of numbers in a 256-bit register.
     const ROWS: usize = Self::MOST / 2;
 
-    /// An entry below this fraction of the largest entry of its row, and of the largest entry of
-    /// its column, cannot change the solution. The square of the fraction is a normal number.
+    /// An entry below this fraction of the largest entry of its row, and of that of its column,
+    /// changes no bit of the solution. The square of the fraction does not underflow.
     const NEGLIGIBLE: Self;
 
     /// Runs work with the instruction set `level`, or with the baseline if the processor lacks it.
@@ -124,7 +124,7 @@ pub(super) trait LaneSweep: InLanes {
 pub(super) const NEGLIGIBLE_F32: f32 = 1.0 / (1_u64 << 60) as f32;
 pub(super) const NEGLIGIBLE_F64: f64 = f64::from_bits((1023 - 500) << 52);
 
-/// Returns c − a·b. The operation is fused in AVX2 lanes, and in programs compiled for FMA.
+/// Returns c − a·b, rounded once in programs compiled for FMA, and otherwise twice.
 #[inline(always)]
 pub(crate) fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
     if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }

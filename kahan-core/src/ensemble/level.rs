@@ -1,6 +1,6 @@
 //! The instruction sets on which an ensemble can run, detected at run time.
 
-/// An instruction set for the steps of an [`Ensemble`](crate::Ensemble). Higher sets are greater.
+/// An instruction set for an [`Ensemble`](crate::Ensemble). In `Ord`, later variants are greater.
 ///
 /// The instruction set determines how many trajectories a register holds and whether multiply-adds
 /// are fused, and therefore the last bits of results.
@@ -9,9 +9,9 @@
 pub enum Level {
     /// The instructions for which the program was compiled. On x86-64 and 64-bit Arm they advance
     /// two `f64` or four `f32` at a time, elsewhere one. The bits are those of
-    /// [`KahanAt::step`](crate::KahanAt::step), unless that step divides by the time step, or
-    /// divides more than once. Lanes always use the form with a single division, because the
-    /// divider limits throughput.
+    /// [`KahanAt::step`](crate::KahanAt::step) unless that step divides by the time step, or more
+    /// than once. Lanes always use formulas with one division, because divisions limit the
+    /// throughput.
     Baseline,
     /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.
     Avx2,

@@ -16,7 +16,7 @@ pub struct RegisterPair<L>(L, L);
 
 operators!([L: Scalar + Copy] RegisterPair<L>: Self::sum, Self::difference, Self::product, Self::ratio);
 
-/// Named functions replace closures, which are not inlined into functions with target features.
+/// Operators need named functions: closures are not inlined into functions with target features.
 impl<L: Scalar + Copy> RegisterPair<L> {
     #[inline(always)]
     fn sum(self, other: Self) -> Self {

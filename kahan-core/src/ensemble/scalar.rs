@@ -21,8 +21,8 @@ use super::sweep::sweep;
     note = "`f32` and `f64` are, and every scalar that is `Copy` becomes one by `impl EnsembleScalar for … {{}}`"
 )]
 pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
-    /// Advances columns of equal length. Returns `None` at a pole of a scalar without a reciprocal
-    /// of zero.
+    /// Advances columns of equal length. Returns `None` if a trajectory meets a pole and 1/0 has no
+    /// value in this type.
     #[doc(hidden)]
     fn sweep<S, const N: usize>(
         map: &S,

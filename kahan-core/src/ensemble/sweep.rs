@@ -12,8 +12,8 @@ use crate::{PreparedStep, Scalar};
 use super::columns::{GROUP, Group};
 use super::lanes::Lanes;
 
-/// Advances every column by `steps` steps, each of which runs all `stages` in order. At a pole of a
-/// scalar without a reciprocal of zero, returns `None` and leaves some trajectories unadvanced.
+/// Advances every column by `steps` steps, each of which runs all `stages` in order. If 1/0 has no
+/// value in T, a pole gives `None` and leaves some columns unadvanced.
 ///
 /// The function must be inlined; only then the caller's target features apply.
 #[inline(always)]

@@ -90,8 +90,8 @@ where
         Ok(())
     }
 
-    /// Advances one trajectory at a time, with copies of it in all lanes. Each trajectory then gets
-    /// the bits that it would get in a lane of its own.
+    /// Advances one trajectory at a time, with copies of it in all lanes, because the maps have
+    /// different compositions. The bits are those of a lane of its own.
     fn in_turn(self, on: Instructions) -> Result<(), T> {
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {

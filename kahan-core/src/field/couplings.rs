@@ -7,8 +7,8 @@ use core::ops::Range;
 
 use crate::{Constant, Scalar};
 
-/// The ratio above which a pivot is too small. If an entry of the pivot's row and an entry of its
-/// column both exceed the pivot by more than this ratio, the step uses partial pivoting instead.
+/// The ratio above which a pivot is too small. If both the row and the column of a pivot contain an
+/// entry more than this many times larger than the pivot, the step uses partial pivoting instead.
 pub const LARGEST_FACTOR: i64 = 16;
 
 /// The entries of A(x,ε), including those that elimination fills in. Rows and columns are in
@@ -56,7 +56,7 @@ impl CouplingRow {
         self.own as usize..self.end as usize
     }
 
-    /// Returns the range of the entries to the left of the diagonal, in all blocks.
+    /// Returns the range of the row's entries to the left of the diagonal, in any diagonal block.
     fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }
@@ -89,7 +89,7 @@ impl Couplings<'_> {
     }
 
     /// Replaces A by its LU factors. Returns `false` if a pivot is 0. Before each reduction of a
-    /// row, `see` is called with the pivot's row, the factor, and the current entries.
+    /// row, `see` gets the index of the pivot's row, the factor, and the current entries of A.
     pub fn eliminate<T: Scalar>(
         &self,
         values: &mut [T],

@@ -85,8 +85,8 @@ pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<
 ///
 ///   det A = χ(1),   adj(A)·b = Σ v_k (k < N),   v₀ = b,   v_k = C·v_{k−1} + c_k·b,
 ///
-/// For Kahan's matrix A = I − εf′, the matrix C is εf′ and small with ε. Therefore the sum has no
-/// cancellation. The cost is O(N⁴) operations.
+/// For Kahan's matrix A = I − εf′, C = εf′ is of order ε. Therefore the sum has no cancellation for
+/// small ε. The cost is O(N⁴) operations.
 pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     a: &SMatrix<T, N, N>,
     b: &SVector<T, N>,

@@ -1,4 +1,4 @@
-//! The vector field f: four functions determine f and all formulas of the method.
+//! The vector field f, as four functions from which all formulas of the method follow.
 //!
 //! If coefficients of f depend on ε, these functions take the coefficients at ε = 0.
 

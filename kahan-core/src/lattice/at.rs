@@ -1,4 +1,4 @@
-//! A family's map at one ε, for chains of one length.
+//! The Kahan map of a chain, with the equations of a family at one ε and one number of sites.
 
 use core::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -16,7 +16,7 @@ use super::scalar::ChainArithmetic;
 use super::sites::Site;
 use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Sizes};
 
-/// The map of a family at a fixed ε (half the time step) and a fixed number of sites.
+/// The Kahan map of a chain of fixed length, at a fixed ε (half the time step).
 ///
 /// [`LatticeMap::at`](super::LatticeMap::at) creates this map. Steps over floats do
 /// not allocate, except concurrent calls of [`advance`](Self::advance).
@@ -62,7 +62,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
         }
     }
 
-    /// Takes `steps` steps with the given constants and ε. An exact scalar stops before a pole.
+    /// Takes `steps` steps with the given constants and ε. Over exact scalars, stops before a pole.
     fn advance<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -134,7 +134,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = PromiseCheck::new(&map, &eps, sites * sizes.block);
-        // Constants may overflow T if wider numbers can hold them, because `try_step` then works.
+        // Constants that overflow T are accepted if `try_step` can compute them in a wider range.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
@@ -166,13 +166,13 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         &self.eps
     }
 
-    /// Returns the number of steps that eliminated the whole chain at once. In a long chain, these
-    /// are the steps in which a part of the chain met a pivot that is too small.
+    /// Returns how many steps eliminated the whole chain in one piece. In a long chain this happens
+    /// only if a pivot is too small in one of the parts that are otherwise eliminated in parallel.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
 
-    /// Takes one step x ↦ x̃ in place. A NaN persists. At a pole, floats become infinite or NaN.
+    /// Takes one step x ↦ x̃ in place. NaNs stay NaN. At a pole, floats become infinite or NaN.
     ///
     /// # Panics
     /// If the state has the wrong length, or if it is a pole of an exact scalar.
@@ -206,9 +206,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// of entries in row i of A, and u is the rounding unit. Steps over exact scalars are exact.
     ///
     /// # Errors
-    /// If the state is a pole, if the state or x̃ is not finite, or if no method reaches the bound.
-    /// The methods are two steps of refinement and, for at most 4096 unknowns, an elimination with
-    /// many digits, which allocates.
+    /// If the state is a pole, if the state or x̃ is not finite, or if the bound is not reached by
+    /// two refinements of the step nor, for at most 4096 unknowns, by an elimination with many
+    /// digits, which allocates.
     ///
     /// # Panics
     /// If the state has the wrong length.

@@ -1,4 +1,4 @@
-//! The boundary condition of a chain, and the numbers of arrays and neighbours of a family.
+//! The boundary condition of a chain, and the sizes of its family, the equations of one site.
 
 /// The boundary condition of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub enum Boundary {
     Open,
 }
 
-/// The numbers of arrays, neighbours, parameters and scratch numbers in a family's equations.
+/// The sizes of a family's equations, which are the equations of one site of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
     /// The number of arrays, which is the number of unknowns per site.
@@ -28,7 +28,7 @@ pub struct Sizes {
     pub registers_abreast: usize,
 }
 
-/// The sizes of a family's equations as a type, which selects the kernels of the family.
+/// The sizes of a family's equations as a type. Elimination is compiled once per such type.
 ///
 /// | parameter | meaning |
 /// |---|---|

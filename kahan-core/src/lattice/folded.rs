@@ -2,8 +2,8 @@
 //!
 //! A cyclic band of half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order
 //! 0, n−1, 1, n−2, …. Entries of equal row and column are added; therefore a ring may be shorter
-//! than its band. To save memory, a solver may store few rows of U at once, and eliminate again
-//! during back substitution.
+//! than its band. To save memory, a solver may keep only some rows of U; back substitution then
+//! eliminates the other rows again.
 
 use std::vec;
 use std::vec::Vec;
@@ -40,7 +40,7 @@ pub(super) struct FoldedBand<T> {
     lower: usize,
     /// The number of entries in a row, from the pivot on: `lower` + 1 + `upper`.
     width: usize,
-    /// The number of columns whose rows of U are stored at once.
+    /// The number of successive rows of U that are stored together.
     stretch: usize,
     /// The `lower` + 1 rows from which the next pivot is chosen, with their right-hand sides.
     window: Vec<T>,
@@ -76,7 +76,7 @@ impl<T: Scalar> FoldedBand<T> {
         Self::in_stretches(len, is_ring, lower, upper, len)
     }
 
-    /// Allocates less memory than `new`. A long chain then takes about twice the operations.
+    /// Allocates less memory than `new`, but a long system takes about twice the operations.
     pub(super) fn with_little_memory(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         const WINDOWS: usize = 64;
         let window = 2 * lower.max(upper) + 1;

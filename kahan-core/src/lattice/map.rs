@@ -1,4 +1,4 @@
-//! A family as a map of chains, with the names, integrals and equations of the family.
+//! The trait of families: the equations of one site, from which a chain's Kahan map is computed.
 //!
 //! From the states and parameters of a site and its neighbours, a family computes the site's field
 //! and rows of A(x,ε) = I − εf′(x). The numbers may be scalars, SIMD lanes or numbers with error
@@ -17,8 +17,8 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 /// The Kahan map x ↦ x̃ of a family, for chains of any number of sites.
 ///
 /// A state is stored site by site with interleaved arrays. Array b of site i has index
-/// i·[`BLOCK`](Self::BLOCK) + b. **ε is half the time step.** For a block with a family, the macro
-/// implements this trait from the equations of one site.
+/// i·[`BLOCK`](Self::BLOCK) + b. **ε is half the time step.** The macro implements this trait for a
+/// `kahan!` block that gives the equations of one site by `for i in …`.
 ///
 /// With R = [`Sizes::reach`], the equations of site i get these arguments:
 /// - `constants`: the result of the method `constants`, with each number as an `L`;
@@ -26,7 +26,7 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 /// - `c`: the per-site parameters of these sites, in this order;
 /// - `registers`: [`Sizes::registers`] numbers of scratch memory.
 ///
-/// In a short cyclic chain, one site may occur several times in `x`; its results are then added.
+/// In a short ring, one site may occur several times in `x`; its entries of A are then added.
 /// Implementations must be `#[inline(always)]` without closures.
 #[expect(private_bounds, reason = "the kernels of a chain are nobody else's")]
 pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
@@ -47,12 +47,12 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
 
     /// Prepares the map at ε, half the time step, for `sites` sites, and allocates all memory.
     ///
-    /// In a short ring, several neighbours can be one site, whose entries of A are then added.
+    /// If a ring is so short that several neighbours are one site, their entries of A are added.
     ///
     /// # Errors
-    /// If `sites` is 0, a site parameter has another number of values, or the equations divide by
-    /// zero. Constants that overflow T are no error. A plain step then gives infinities or NaNs,
-    /// but [`try_step`](LatticeAt::try_step) works.
+    /// If `sites` is 0, the number of values of a site parameter is not `sites`, or the equations
+    /// divide by zero. Constants that overflow T are no error. A plain step then gives infinities
+    /// or NaNs, but [`try_step`](LatticeAt::try_step) works.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         for (index, name) in Self::SITE_PARAMETERS.iter().enumerate() {
             let given = self.site_parameter(index).len();
@@ -84,8 +84,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     #[doc(hidden)]
     fn boundary(&self) -> Boundary;
 
-    /// Returns ε, the parameters that are equal at all sites, and products of both. Returns `None`
-    /// if a divisor has no reciprocal. `convert` maps a parameter to the scalar L.
+    /// Returns the constants of the equations: ε, the common parameters, and their products and
+    /// quotients. Returns `None` if a divisor is 0. `convert` maps a parameter to the scalar L.
     #[doc(hidden)]
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>>;
 
@@ -110,8 +110,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         a: &mut [L],
     );
 
-    /// Computes the equations of the next gathered site by [`rows`](Self::rows), with P parameters
-    /// per site and C constants. The function must be inlined into a computation over lanes.
+    /// Calls [`rows`](Self::rows) for the next of the gathered sites, with P parameters per site
+    /// and C constants. The function must be inlined into a computation over lanes.
     #[doc(hidden)]
     #[inline(always)]
     fn line<L: Lanes<T>, const B: usize, const P: usize, const C: usize, const SITES: usize>(
@@ -143,8 +143,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         Self::INTEGRALS.len()
     }
 
-    /// Computes, at one site, the terms of the sums over all sites that give the integrals and the
-    /// Hamiltonian. The arguments are those of [`rows`](Self::rows).
+    /// Computes what one site adds to each integral and to the Hamiltonian, which are sums over all
+    /// sites. The arguments are those of [`rows`](Self::rows).
     #[doc(hidden)]
     fn densities<L: Scalar>(&self, _constants: &[L], _x: &[L], _c: &[L], _registers: &mut [L], _s: &mut [L]) {
     }

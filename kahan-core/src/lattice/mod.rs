@@ -1,9 +1,9 @@
 //! Chains of any number of sites. The equations of a site contain the states of a few neighbours.
 //!
 //! A family `for i in periodic { … }` gives the equations of one site. A(x,ε) is banded, with
-//! corners if the chain is periodic. A short chain is eliminated at once (`folded`). A long chain
-//! is divided into parts, whose two passes run in SIMD lanes and on threads (`parts`). `Kernels`
-//! selects the code for the family's sizes.
+//! corners if the chain is periodic. A short chain is eliminated as a whole (`folded`). A long
+//! chain is divided into parts, which are eliminated in SIMD lanes and on threads (`parts`).
+//! `Kernels` selects the code for the family's sizes.
 
 mod at;
 

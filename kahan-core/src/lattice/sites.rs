@@ -118,7 +118,7 @@ impl<L: Scalar> Site<L> {
         })
     }
 
-    /// Iterates over the entries of row b of A, one per column. In short rings an entry is a sum.
+    /// Yields the entries of row b of A. Entries in one column, possible in short rings, are added.
     pub(super) fn row<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,

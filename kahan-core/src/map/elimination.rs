@@ -1,7 +1,7 @@
 //! The step by elimination, for maps without a closed form.
 //!
-//! The increment is x̃ − x = 2ε·A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). Elimination works for every
-//! field, but fails where det A(x,ε) = 0, even if the reduced map is defined there.
+//! The increment is x̃ − x = 2ε·A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). Elimination fails where det
+//! A(x,ε) = 0, even if a common factor cancels in x̃ and the map is defined there.
 
 use nalgebra::SVector;
 

@@ -145,11 +145,11 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// Returns x̃, the state after one time step 2ε.
     ///
-    /// Most fields of up to eight variables use the reduced closed form with one or two divisions.
-    /// Over floats this form has no branches and never allocates. While ‖εf′(x)‖ is not much above
-    /// 1, the error away from poles is of the order of the rounding unit. For longer steps the
-    /// error is about that of elimination with pivoting. This holds up to ‖εf′(x)‖∞ = 1000, or up
-    /// to the limit in the documentation of the generated type.
+    /// Most fields of up to eight variables use a closed form: x̃ as a reduced fraction, with one
+    /// or two divisions. Over floats this form has no branches and never allocates. While ‖εf′(x)‖
+    /// is not much above 1, the error away from poles is of the order of the rounding unit. For
+    /// longer steps the error is about that of elimination with pivoting. Both hold while ‖εf′(x)‖∞
+    /// ≤ 1000, or up to the limit in the documentation of the generated type.
     ///
     /// Some fields have a faster form that divides by ε. This form is used for |ε| from 2⁻⁸⁴ to
     /// 2⁶⁴, in `f32` from 2⁻¹⁶ to 2¹⁶. A map that is too large for a closed form uses sparse
@@ -236,8 +236,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
     }
 
-    /// Returns the determinant D(x,ε) = det A(x,ε), which is 0 at every pole. D is also 0 at points
-    /// where the reduction of the map removed a pole.
+    /// Returns the determinant D(x,ε) = det A(x,ε), which is 0 at every pole. D is also 0 where a
+    /// factor of D cancels in x̃, so that the map is defined.
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.matrix(x, eps))
     }

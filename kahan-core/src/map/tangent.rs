@@ -56,7 +56,7 @@ fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
         map.extend_scalars::<DirectionalDual<T>>(|parameter| DirectionalDual::from_value(parameter.clone()));
     let quotients: Quotients<_, N> =
         extended.prepare(&DirectionalDual::from_value(eps.clone())).quotients(&along)?;
-    // Updates in place, because over lanes compilers build an array by a call.
+    // Updates in place, because compilers do not inline `from_fn` for arrays of lanes.
     for i in 0..N {
         along[i] = quotients.sum(i, along[i].clone());
     }

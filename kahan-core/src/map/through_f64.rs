@@ -97,7 +97,7 @@ impl<S: Step<Scalar = f64>> Step for StepThroughF64<S> {
     }
 }
 
-/// A step over `f64` that starts from an `f32` state and is rounded once.
+/// The prepared step of [`ThroughF64`]: a step in `f64` from an `f32` state, rounded once.
 #[derive(Clone, Copy, Debug)]
 pub struct ThroughF64Step<P>(P);
 

@@ -57,7 +57,7 @@ pub struct SideBySide<'a, T, P> {
 #[derive(Debug)]
 pub struct Burst<'a, P> {
     pub(super) before: u64,
-    /// The last point that observers have already seen, then the points of the next steps.
+    /// The last point of the previous burst, and then the points of this burst.
     pub(super) seen: &'a [P],
     pub(super) level: Level,
 }

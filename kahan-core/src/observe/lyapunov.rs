@@ -13,7 +13,7 @@ use super::growth::Size;
 /// step.
 pub type Lyapunov<M> = IndicatorObserver<Growth, M, 1>;
 
-/// The squared lengths of a tangent vector, at the first step and at steps that are powers of two.
+/// The squared lengths of a tangent vector at the first point and at steps that are powers of two.
 #[derive(Clone, Debug)]
 pub struct Growth {
     first: Size,

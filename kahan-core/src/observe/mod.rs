@@ -174,7 +174,7 @@ pub trait Observer<T> {
         None
     }
 
-    /// Shows each observer of a group some points of its own trajectory.
+    /// Shows each observer of a group the points of its own trajectory in one burst.
     #[cfg(feature = "std")]
     #[doc(hidden)]
     #[inline]

@@ -65,7 +65,7 @@ pub struct RotationNumber {
 
 impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Rotation<F, T> {
     /// Creates an observer of the rotation around the origin of `plane` over `steps` steps. Later
-    /// points are ignored. In a shorter run the mean converges slowly.
+    /// points are ignored. A shorter run converges slowly, because its weights do not reach 0.
     pub fn of(steps: u64, plane: F) -> Self {
         let unit = Extremes { least: T::zero() - T::one(), greatest: T::one() };
         Self::between(steps, plane, [unit.clone(), unit])

@@ -102,7 +102,7 @@ impl Direction {
 pub struct Crossing<P, T> {
     /// The number n of full steps before the crossing.
     pub step: u64,
-    /// The fraction θ of the step from xₙ, 0 < θ ≤ 1.
+    /// The fraction θ of a step that leads from xₙ to the crossing, 0 < θ ≤ 1.
     pub part: T,
     /// The time 2ε(n + θ) since the initial point.
     pub time: T,
@@ -209,8 +209,8 @@ where
         }
     }
 
-    /// Forgets the latest point. Callers may then skip points between which the function of the
-    /// section keeps its sign.
+    /// Forgets the latest point, so that no crossing is sought between it and the next point.
+    /// Callers may then skip points between which the function of the section keeps its sign.
     #[doc(hidden)]
     pub fn restart(&mut self) {
         self.height = f64::NAN;
@@ -236,7 +236,7 @@ where
         let places = narrow(ends, |part| level(at(part).as_slice()));
         let size = |place: &ZeroBracket<T>| place.height.approximate().abs();
         let [one, other] = places;
-        // The fraction 0 of a step is avoided, because that point is the end of the previous step.
+        // A zero at xₙ belongs to the previous step, with fraction 1. Here fraction 0 is avoided.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
         let part = if is_one { one.part } else { other.part };
         let [point, beside] = if is_one { places } else { [other, one] }.map(|place| at(place.part));
@@ -248,9 +248,9 @@ where
     }
 }
 
-/// Returns whether a point of the curve is infinite or near a pole of the curve. Near a pole, some
-/// variable is much larger than at both ends, and differs from its value at the adjacent point
-/// `beside`.
+/// On the curve of a fraction of a step, returns whether `point` is infinite or near a pole. Near a
+/// pole, some variable is much larger than at the `ends` of the curve, and differs from its value
+/// at `beside`, an adjacent point.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
@@ -284,7 +284,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // Only the point is copied, because a fraction of a step ignores the rest of a state.
+        // Only the coordinates are copied, because a fraction of a step starts from them alone.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 

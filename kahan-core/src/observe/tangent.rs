@@ -45,11 +45,11 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Returns det J(x), where J is the derivative of a step.
     fn det_jacobian(&self, x: &[Self::Scalar]) -> Self::Scalar;
 
-    /// Propagates the vectors of a group of trajectories, each by its own map, and writes squared
-    /// lengths if `work` has room for them.
+    /// Propagates the vectors of a group of trajectories in lanes, and writes squared lengths if
+    /// `work` has room for them.
     ///
     /// Returns the number of steps taken, which is smaller if a vector needs scaling. Returns
-    /// `None` if the maps differ or their steps have no lanes.
+    /// `None` if the trajectories have different maps, or if the steps have no lanes.
     #[cfg(feature = "std")]
     #[doc(hidden)]
     fn push_forward_group<P: Grouped<Self::Scalar>>(
@@ -91,7 +91,7 @@ impl<M: TangentMap> TangentMap for &M {
     }
 }
 
-// One implementation for all `Staged<T, N>` would leave N undetermined.
+// A macro, because `impl<S: Staged<T, N>> TangentMap for S` would not determine N.
 macro_rules! implement_for_stages {
     ($map:ty) => {
         impl<M, T, const N: usize> TangentMap for $map

@@ -50,11 +50,11 @@ impl<'a> Constant<'a> {
         Self(ConstantForm::Ratio(p, q))
     }
 
-    /// Creates ±numerator/denominator from little-endian 64-bit limbs, and from rounded values.
+    /// Creates ±numerator/denominator from its little-endian 64-bit limbs and its roundings.
     ///
     /// `single` is the nearest `f32`, `double` is the nearest `f64`, and `low` is the `f64` nearest
-    /// to the remainder. All three must have the sign of the number. The denominator must be
-    /// nonzero.
+    /// to the number minus `double`. All three must have the sign of the number. The denominator
+    /// must be nonzero.
     #[inline(always)]
     pub const fn exact(
         negative: bool,
@@ -134,7 +134,7 @@ impl<'a> Constant<'a> {
 
 /// Returns p − q·quotient exactly. `quotient` is the float nearest to p/q, and |p|, q ≤ 2²⁴.
 ///
-/// Without a fused multiply-add in `core`, the quotient is split into 24 leading bits and the
+/// Because `core` has no fused multiply-add, the quotient is split into its 24 leading bits and the
 /// remaining bits. The products of both parts with q are exact.
 const fn remainder(p: f64, q: f64, quotient: f64) -> f64 {
     let leading = quotient as f32 as f64;

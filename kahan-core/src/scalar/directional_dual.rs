@@ -21,7 +21,7 @@ impl<T: Scalar> DirectionalDual<T> {
         Self { value, slope: None }
     }
 
-    /// Creates a number whose parts stay in separate registers, because packing them costs time.
+    /// Creates a number. `fenced` keeps both parts in separate registers, which saves time.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }

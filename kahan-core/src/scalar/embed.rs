@@ -1,4 +1,4 @@
-//! Initial values of the variables that a lift adds.
+//! Initial values of the variables by which a `lift` block makes a system quadratic.
 
 use nalgebra::SVector;
 

@@ -10,7 +10,7 @@ use super::{Dd, Scalar};
     note = "an exact scalar has no rounding error to carry, and the coefficients of the compositions are irrational"
 )]
 pub trait FloatScalar: Scalar + Copy {
-    /// The number of bits of numbers whose cubes are exact: 8 for `f32`, 17 for `f64`, 35 for `Dd`.
+    /// Numbers of this many bits have exact cubes: 8 for `f32`, 17 for `f64`, 35 for `Dd`.
     const SHORT_BITS: u32;
 
     /// Returns the nearest number with at most [`SHORT_BITS`](Self::SHORT_BITS) significant bits.
@@ -25,8 +25,8 @@ macro_rules! implement_for_float {
 
             /// Rounds ties away from zero, but never to infinity.
             fn nearest_short(self) -> Self {
-                // Rounding the bits rounds the number, because adjacent patterns are adjacent
-                // numbers.
+                // Adjacent floats have adjacent bit patterns. Therefore rounding the pattern as an
+                // integer rounds the float.
                 let dropped = <$float>::MANTISSA_DIGITS - Self::SHORT_BITS;
                 let (unit, half) = (1 << dropped, 1 << (dropped - 1));
                 let cut = |bits| <$float>::from_bits(bits & !(unit - 1));

@@ -45,7 +45,7 @@ pub(crate) use wide::{Size, Wide};
 /// A number with which a Kahan map computes.
 ///
 /// Implementors write the operators and [`constant`](Scalar::constant). The other methods have
-/// defaults that suit exact fields.
+/// defaults that suit exact arithmetic.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a scalar that a Kahan map can compute with",
     label = "not a `Scalar`; for a number, write `1.0`, not `1`",

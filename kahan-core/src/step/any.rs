@@ -1,4 +1,4 @@
-//! The common interface of all maps at their ε.
+//! The common interface of all maps with a fixed ε.
 //!
 //! A function over [`Step`] accepts compiled maps, maps read at run time, chains and compositions,
 //! as a type or as `&dyn Step`.
@@ -91,7 +91,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after `steps` steps.
     ///
-    /// Each call creates a workspace, which [`advance`](Self::advance) can reuse.
+    /// Each call creates a workspace. [`advance`](Self::advance) takes one from the caller instead.
     ///
     /// # Errors
     /// # Panics
@@ -102,7 +102,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after one step at another ε.
     ///
-    /// Each call creates a workspace, which [`part`](Self::part) can reuse.
+    /// Each call creates a workspace. [`part`](Self::part) takes one from the caller instead.
     ///
     /// # Errors
     /// # Panics
@@ -113,7 +113,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after `steps` steps, using `workspace` as scratch memory.
     ///
-    /// A call may allocate a workspace. Steps over floats do not allocate.
+    /// A call may allocate once, in `workspace`. Over floats, the steps themselves do not allocate.
     ///
     /// # Errors
     /// Returns [`Stopped`] at a pole of an exact scalar, and leaves the pole in `x`. Floats

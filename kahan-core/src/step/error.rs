@@ -42,7 +42,7 @@ pub enum Reason {
 }
 
 impl SingularStep {
-    /// Creates the error of a step without error bounds, from det A(x,ε) and ε.
+    /// Creates the error of a step that failed and computed no error bound, from det A(x,ε) and ε.
     pub(crate) fn new(determinant: f64, eps: f64) -> Self {
         let reason = if determinant == 0.0 {
             Reason::Pole

@@ -76,9 +76,9 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     /// Returns the next state x̃ and its carry, from x and its carry c. A carry is the rounding
     /// error of a state on a compensated orbit.
     ///
-    /// With the increment n·r, b = x + c and rest = c − (b − x), the results are
+    /// Let b be the rounded sum x + c, and rest = c − (b − x) its error. With the increment n·r,
     ///
-    /// t = b + n·r, carry = (n·r − (t − b)) + rest.
+    /// x̃ = t = b + n·r, carry = (n·r − (t − b)) + rest.
     ///
     /// If |n·r| ≤ |b| (Dekker 1971), only the rounding error of n·r is lost. Otherwise the rounding
     /// error of t − b is lost, too. The critical path is that of a plain step, because the carry is

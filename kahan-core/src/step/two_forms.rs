@@ -19,7 +19,7 @@ pub struct OverEps<S, G> {
     general: G,
 }
 
-/// The step with the forms of the kernels S and G, which have C and D constants.
+/// A step with kernel S (C constants), which divides by ε, and a general kernel G (D constants).
 pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
     OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
@@ -104,7 +104,7 @@ pub struct OneOrbit<S, G> {
     of_lanes: G,
 }
 
-/// The step with the forms of the kernels S and G, which have C and D constants.
+/// A step with kernel S (C constants) for orbits, and kernel G (D constants) for lanes.
 pub type StepOfOneOrbit<S, G, T, const C: usize, const D: usize> =
     OneOrbit<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 

@@ -2,7 +2,7 @@
 
 use crate::{Constant, Scalar};
 
-/// The constant −(2⁶⁴ + 1)/3, in the form of the macro.
+/// The constant −(2⁶⁴ + 1)/3, written as the macro writes long literals.
 const LONG: Constant<'_> = Constant::exact(
     true,
     &[1, 1],

@@ -22,7 +22,7 @@ fn pivoting_keeps_the_residual_at_the_level_of_rounding() {
 fn both_determinants_agree_to_rounding() {
     let a = awkward();
     let (_, division_free) = determinant_and_adjugate_product(&a, &SVector::zeros());
-    // The permanent of |A| bounds every intermediate sum.
+    // The permanent of |A|, which is below 100, bounds every intermediate sum.
     assert!((determinant(a) - division_free).abs() <= 64.0 * f64::EPSILON * 100.0);
     assert!((determinant(a) + 73.0).abs() <= 64.0 * f64::EPSILON * 100.0, "{}", determinant(a));
 }

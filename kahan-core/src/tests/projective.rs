@@ -48,7 +48,7 @@ fn a_line_closes_at_infinity_in_every_scalar() {
     check_riccati(|p, q| BigRational::new(p.into(), q.into()));
 }
 
-/// Checks points of a plane that is mapped to one point.
+/// Checks that orbits pass through the common image of a plane, and that inverse orbits return.
 fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>, &SVector<T, 3>) -> bool) {
     let point = |x: [f64; 3]| vector![number(x[0]), number(x[1]), number(x[2])];
     for start in [[1.5, 1.0, -0.5], [0.75, 1.5, -0.25], [3.0, -2.0, 1.0]] {
@@ -65,7 +65,7 @@ fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>
 
 #[test]
 fn what_was_brought_to_one_point_comes_apart_again() {
-    // The last point is rounded once, and the steps back may lose ten bits.
+    // The point after the pole is rounded once, and the inverse orbit from there may lose ten bits.
     check_top(|x| x, |a, b| (a - b).amax() <= 65536.0 * f64::EPSILON);
     check_top(|x| x as f32, |a, b| (a - b).amax() <= 65536.0 * f32::EPSILON);
     #[cfg(feature = "exact")]
@@ -83,7 +83,7 @@ where
 
 #[test]
 fn an_orbit_ends_where_lines_lead_to_different_points() {
-    // The common image of the plane does not determine the point in the plane.
+    // Lines through (2, 2, 2), the common image of a plane, lead to different points of the plane.
     let (points, why) = end(&mut Top.orbit(vector![2.0, 2.0, 2.0], 0.5).projective());
     assert_eq!(points, 2);
     assert!(why.contains("lines through it lead to different points"), "{why}");

@@ -8,7 +8,7 @@ use crate::ensemble::in_lanes::{ByElimination, Clebsch, E3, E5, Logistic};
 use crate::ensemble::{assert_same, fuses, levels, points};
 use crate::systems::{EulerTop, LotkaVolterra};
 
-/// Lengths around the widths of registers and the lengths of tiles.
+/// Numbers of points near multiples of the register width and the tile length.
 #[cfg(not(miri))]
 const LENGTHS: [usize; 13] = [0, 1, 2, 3, 4, 5, 7, 8, 9, 17, 511, 513, 1000];
 #[cfg(not(miri))]
@@ -31,7 +31,7 @@ fn step_each<T: Scalar, M: KahanMap<T, N>, const N: usize>(
     points
 }
 
-/// Steps each point with the step's form for lanes, if the map has one.
+/// Steps each point by the formulas that lanes run.
 fn step_each_as_lanes<T, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     mut points: Vec<SVector<T, N>>,

@@ -18,7 +18,7 @@ fn what_is_not_finite_stays_alone() {
         disturbed[i][k / 3 % 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][k % 3];
     }
     for level in levels() {
-        // Miri does not support the instruction for the estimate.
+        // Miri does not support the instruction that estimates a reciprocal.
         let estimated = if cfg!(miri) { Reciprocal::Divided } else { Reciprocal::Estimated };
         for reciprocal in [Reciprocal::Divided, estimated] {
             let [alone, beside] = [&ordinary, &disturbed].map(|points| {

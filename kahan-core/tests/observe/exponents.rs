@@ -28,8 +28,8 @@ kahan! {
     ydot = b*y;
 }
 
-/// For an eigenvalue λ, each step multiplies by (1 + ελ)/(1 − ελ), with an error of about 10
-/// rounding units. The mean errs by one factor's error divided by 2ε.
+/// For an eigenvalue λ, each step multiplies by (1 + ελ)/(1 − ελ), with a relative error of about
+/// 10 rounding units. An exponent errs by this error divided by 2ε.
 #[test]
 fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     let (a, b, eps) = (0.75, -1.5, 1.0 / 32.0);
@@ -44,8 +44,8 @@ fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     }
 }
 
-/// Vectors grow or shrink by 2⁴⁰ per step. A shrinking vector is a difference of which only 13 bits
-/// remain.
+/// Each step multiplies vectors v by 2⁴⁰ or 2⁻⁴⁰. A shrinking vector is v plus an increment close
+/// to −v, a difference of which only 13 bits remain.
 #[test]
 fn steep_growth_leaves_no_range() {
     let eps = 1.0 - 2_f64.powi(-39);

@@ -1,4 +1,4 @@
-//! Tests the chosen settings and their printed form.
+//! Tests the settings (composition, precision and steps) that `choose` returns, and their text.
 
 use kahan_core::Composition;
 use kahan_core::prelude::*;

@@ -30,8 +30,8 @@ where
         assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
 
         for scheme in Scheme::all() {
-            // Usually the largest number of steps is the most accurate. Smaller numbers are tried,
-            // too, because a setting may be accurate by luck.
+            // At a fixed cost, a scheme is usually most accurate with the largest number of steps.
+            // Smaller numbers are tried, too, because a setting may be accurate by luck.
             let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {
                 if steps < 1.0 {

@@ -1,5 +1,5 @@
-//! Toda's chain in Flaschka's variables, a = ½ exp(−(q₊ − q)/2) and b = −p/2 (H. Flaschka, Phys.
-//! Rev. B 9 (1974) 1924–1925).
+//! Toda's chain in Flaschka's variables, a = ½ exp(−(q₊ − q)/2) and b = −p/2, for a particle with
+//! position q and momentum p and the next particle's position q₊ (Phys. Rev. B 9 (1974) 1924–1925).
 
 use kahan_core::prelude::*;
 

@@ -13,7 +13,7 @@ use crate::{Constant, Scalar};
 
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: every 64-bit Arm processor with the standard library has NEON.
+        // SAFETY: every 64-bit Arm target that has Rust's standard library supports NEON.
         unsafe { $expression }
     };
 }

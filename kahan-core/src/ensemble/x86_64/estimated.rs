@@ -1,7 +1,7 @@
 //! AVX-512 lanes whose divisions start from a 14-bit estimate of 1/x.
 //!
-//! A division would delay all other operations of a step. Newton's iteration r + r·(1 − x·r)
-//! doubles the correct bits of a reciprocal r by two multiply-adds.
+//! A division instruction would make the other operations of a step wait. Newton's iteration r +
+//! r·(1 − x·r) doubles the number of correct bits of r ≈ 1/x by two multiply-adds.
 
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -22,10 +22,10 @@ mod transposing;
 
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: the instructions exist here. AVX lane types are used only inside `avx2`,
-        // `avx512`, `work_on_avx2` and `work_on_avx512`. These functions run after a check of the
-        // processor (see the module above). SSE2 is part of x86-64. Fused operations on SSE2
-        // registers are compiled only if the whole program is compiled for FMA.
+        // SAFETY: the processor has the instructions. AVX lane types are used only inside `avx2`,
+        // `avx512`, `work_on_avx2` and `work_on_avx512`, which run after a check of the processor
+        // in `x86_64/mod.rs`. SSE2 is part of x86-64. Fused operations on SSE2 registers are
+        // compiled only if the whole program is compiled for FMA.
         unsafe { $expression }
     };
 }

@@ -129,7 +129,7 @@ impl<
 struct InteriorElimination<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
-    /// The largest multiplier of a pivot row in the reduction of the left separator's rows.
+    /// The largest |multiplier| so far of a pivot row subtracted from a row of the left separator.
     worst: L,
 }
 
@@ -152,8 +152,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The dense linear system that remains after the first pass, followed by the largest multiplier of
-/// each lane. Only the first `first` columns are eliminated.
+/// The dense linear system that remains after the elimination of the band, followed by the largest
+/// multiplier of each lane. Only its first `first` columns are eliminated here.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

@@ -1,7 +1,7 @@
 //! The parts of a group, gathered from the state into SIMD lanes and scattered back.
 //!
-//! The sites of each part are stored in order, one register per array. The stored sites include the
-//! separator, and R more sites on either side, where R is the family's reach.
+//! The sites of each part are stored in order, one register per array. The R sites before the part
+//! and the 2R sites after it are stored, too, where R is the reach.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
@@ -54,8 +54,8 @@ impl PartGroup {
         }
     }
 
-    /// Gathers the numbers of the R sites before each part and of the 2R sites after it, where R is
-    /// the family's reach. A site has `block` numbers, and sites are `stride` registers apart.
+    /// Gathers states or parameters of the R sites before and the 2R sites after each part, where R
+    /// is the reach. A site has `block` numbers, and sites are `stride` registers apart.
     fn gather_edges<M, T>(
         self,
         map: &M,

@@ -15,7 +15,7 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::second_pass::SecondPass;
 
-/// Divides groups and their numbers among threads. `place` returns the offset of a group's numbers.
+/// Divides groups and `numbers` among threads. The numbers of a group start at `place(group)`.
 pub(super) fn divide<T: Send>(
     scratch: &mut [Scratch<T>],
     groups: Range<usize>,
@@ -88,7 +88,7 @@ impl<
     }
 }
 
-/// Yields batches of `width` parts of these groups, each with the index of its first part.
+/// Yields batches of `width` parts. A batch comes with the index of its first part.
 #[inline(always)]
 pub(super) fn batches(
     partition: &Partition,
@@ -102,7 +102,7 @@ pub(super) fn batches(
     })
 }
 
-/// Returns whether two sets of `rows` rows of `numbers` numbers fit into 16 AVX2 registers.
+/// Returns whether `rows` rows of `numbers` register pairs fit into the 16 AVX2 registers.
 pub(super) const fn is_small(rows: usize, numbers: usize) -> bool {
     2 * rows * numbers <= 16
 }

@@ -66,7 +66,7 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// Returns a row of a site that has no entries in the columns of the left separator.
+    /// Returns row b of a site whose equations do not contain the left separator.
     #[inline(always)]
     pub(super) fn row<L: Scalar + Copy>(line: &SiteLine<L, B, SITES>, b: usize) -> WindowRow<L, B, R, WIDTH> {
         let mut row = WindowRow::zero();
@@ -90,8 +90,8 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // The band does not contain these entries, because the first rows of the window,
-                // which are rows of the identity, would eliminate them.
+                // Entries left of the interior go into `left` only. In the band, the first rows of
+                // the window, which are rows of the identity, would eliminate them.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();

@@ -1,4 +1,4 @@
-//! The kernels of families read at run time, for stencils that may be larger than the family's.
+//! Kernels for families read at run time. A family runs on a listed stencil that contains its own.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;

@@ -92,7 +92,7 @@ fn long_chains_are_cut_into_parts() {
     }
 }
 
-/// If the interior of a part begins with site i, its block of A is singular, although A is not.
+/// For each site i, the block of A that begins at site i is singular, although A is not.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (200, 0.125);

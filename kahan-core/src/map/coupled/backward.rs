@@ -2,8 +2,8 @@
 //!
 //! In every row i of the linear system A·x̃ = b, the result x̃ satisfies |A·x̃ − b|ᵢ ≤ (k +
 //! 8)·u·(|A|·|x̃| + |b|)ᵢ. A row of A has at most k entries, and u is the rounding unit. Residuals
-//! with error bounds prove the result. A residual b − A·x̃ is computed as 2εf − A·(x̃ − x), whose
-//! terms are small with ε.
+//! with error bounds prove the result. A residual b − A·x̃ is computed as 2εf − A·(x̃ − x), because
+//! these terms are small if ε is small.
 
 use core::array::from_fn;
 
@@ -147,8 +147,8 @@ where
         Some(from_fn(|i| x[i].clone() + time_step.clone() * velocity[i].clone()))
     }
 
-    /// Writes A(x,ε) with each row divided by its largest entry, and returns the factors of the
-    /// rows.
+    /// Writes A(x,ε) with each row divided by its largest entry, and returns the reciprocals of
+    /// these entries.
     fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
         self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {
@@ -239,7 +239,7 @@ where
         let parameters: [Bounded<V>; P] = from_fn(|k| given(&self.step.parameters[k]));
         let x: [Bounded<V>; N] = from_fn(|i| given(&self.x[i]));
         let next: [Bounded<V>; N] = from_fn(|i| given(&next[i]));
-        // With d = x̃ − x, `left` becomes 2f + f′d and `right` becomes 2f − f′x; both start as 2f.
+        // Below, the residual is ε·left − (x̃ − x), and the right-hand side b is x + ε·right.
         let mut left = [Bounded::<V>::zero(); N];
         for (left, component) in left.iter_mut().zip(PostfixEvaluator::of(K::FIELD, &parameters, &x)) {
             *left = component + component;

@@ -20,17 +20,17 @@ pub enum Postfix<'a> {
     Number(Constant<'a>),
     /// Replaces the top a of the stack by −a.
     Negate,
-    /// Replaces the two top entries a, b by a + b.
+    /// Replaces the top entry b and the entry a below it by a + b.
     Add,
-    /// Replaces the two top entries a, b by a − b.
+    /// Replaces the top entry b and the entry a below it by a − b.
     Subtract,
-    /// Replaces the two top entries a, b by b − a.
+    /// Replaces the top entry b and the entry a below it by b − a.
     SubtractFrom,
-    /// Replaces the two top entries a, b by a·b.
+    /// Replaces the top entry b and the entry a below it by a·b.
     Multiply,
-    /// Replaces the two top entries a, b by a/b.
+    /// Replaces the top entry b and the entry a below it by a/b.
     Divide,
-    /// Replaces the two top entries a, b by b/a.
+    /// Replaces the top entry b and the entry a below it by b/a.
     DivideInto,
     /// Ends a formula. The only entry on the stack is the formula's value.
     Done,

@@ -121,7 +121,7 @@ where
     matrix
 }
 
-/// Returns a zero matrix. Callers fill it in place, because a copy would take much of the stack.
+/// Returns a zero matrix. Callers fill it in place, so that only one copy lies on the stack.
 #[inline(never)]
 fn zeros<T: Scalar, const N: usize>() -> SMatrix<T, N, N> {
     SMatrix::from_array_storage(ArrayStorage(from_fn(|_| from_fn(|_| T::zero()))))

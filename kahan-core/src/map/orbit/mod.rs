@@ -23,7 +23,7 @@ pub use scaled::Scaled;
 /// The orbit x₀, x₁, … of a map S at a fixed ε; see [`KahanMap::orbit`] and [`Orbit::new`].
 ///
 /// Everything that depends only on ε and the parameters is computed once. Each point is bit for bit
-/// the [step](Step::next) of the previous point. The following modes are types of this iterator:
+/// the [step](Step::next) of the previous point. The type S of the map selects the mode:
 ///
 /// | mode | made by | map |
 /// |---|---|---|

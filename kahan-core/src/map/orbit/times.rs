@@ -1,6 +1,6 @@
 //! The states of an orbit at given times.
 //!
-//! Between two points, a fraction of a step computes the state.
+//! Between two points, a step with a fraction of ε leads from the earlier point to the given time.
 
 use core::iter::from_fn;
 

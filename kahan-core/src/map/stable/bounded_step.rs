@@ -11,7 +11,8 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, BoundedPair, InputLimit, Magnitude, Number, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
-/// A next state and its error bound, which excludes the roundings of the last product and sum.
+/// A next state and its error bound. The bound excludes two roundings: those of the increment
+/// numerator·reciprocal and of its addition to x.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundedStep<V: Number, const N: usize> {
     pub(super) next: [V; N],
@@ -22,8 +23,8 @@ pub(super) struct BoundedStep<V: Number, const N: usize> {
 
 impl<V: Number, const N: usize> BoundedStep<V, N> {
     /// Computes the step over numbers with error bounds. The values equal the fast step bit for
-    /// bit. Returns `None` if a denominator may be zero, or if an input is so large that the bound
-    /// does not cover underflow.
+    /// bit. Returns `None` if a denominator may be zero, or if an input exceeds the limit up to
+    /// which the bound covers underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: BoundedPair<V>, M: ExtendScalars<T, N>>(
         map: &M,
@@ -39,7 +40,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
             Bounded::<V, P>::from_input(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        // Avoids `finish`, because compilers would not inline its closure.
+        // Avoids `PreparedStep::finish`, because compilers would not inline its closure.
         let prepared = map.extend_scalars(given).prepare(&Bounded::<V, P>::from_input(embed(eps)));
         let attempt = Self::by_increments(&state, prepared.quotients(&state)?);
         attempt.largest_input.allows(sum.get()).then_some(attempt)
@@ -60,7 +61,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment without a reciprocal is treated as a product with 1. The loop avoids
+        // Without a reciprocal, an increment has the weight of the number 1. The loop avoids
         // closures, because compilers would not inline them.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
@@ -82,7 +83,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
             } else {
-                // With one reciprocal, the bound is the largest magnitude times the largest weight.
+                // With one reciprocal for all, the largest magnitude and weight suffice.
                 (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input,
@@ -113,8 +114,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
-        // An exact zero state also qualifies. Comparisons with NaN are false. If a component
-        // overflows, the error overflows, too.
+        // If a component is NaN or overflows, the error is NaN or infinite, and the first
+        // comparison is false. The second line accepts an exact zero state.
         V::Magnitude::of((limit - V::UNIT) / V::UNIT) * largest > self.error
             || (largest.is_zero() && self.error.is_zero())
     }

@@ -6,7 +6,7 @@
 //! # Precision levels
 //! | level | numbers | suffices for |
 //! |---|---|---|
-//! | 1 | the scalar; for `f32` in at most four variables | ordinary points |
+//! | 1 | the scalar itself (`f32` only with at most four variables) | ordinary points |
 //! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
 //! | 3 | floating point with 17 × 64 bits | overflow, underflow, extreme cancellation |
 //! | 4 | the numbers of level 3, in the form N/D | increments that cancel against the state |
@@ -40,7 +40,7 @@ pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
 /// scalars get a finite result without a bound.
 ///
 /// Floats ignore `prepared`, because its numbers are rounded without a bound. They prepare the step
-/// over bounded numbers, which compilers move out of a loop.
+/// over bounded numbers instead; compilers move this preparation out of a loop.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -74,8 +74,8 @@ fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: u
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::from_input(*eps)) {
-        // The limits on ε are narrower for numbers with error bounds. If a step tested both limits,
-        // compilers would keep the code of both forms in every step.
+        // With error bounds, fewer values of ε allow a division by ε. The test is here, because a
+        // test inside a step would make compilers keep the code of both formulas in every step.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)

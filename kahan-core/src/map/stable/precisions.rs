@@ -27,8 +27,8 @@ use super::scalars::PromiseScalar;
 /// one u larger, to cover the difference between ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const ERROR_BOUND: f64 = 63.0;
 
-/// Up to this number of operations, values and magnitudes are computed separately. In short steps,
-/// packing both into one register would delay the values.
+/// Steps of up to this number of operations keep each value and its error magnitude in separate
+/// registers. Packing a pair into one register would delay the values of such a short step.
 const SHORT_STEP_OPERATIONS: u32 = 36;
 
 #[cfg_attr(not(debug_assertions), inline(always))]

@@ -6,13 +6,13 @@ use crate::scalar::{Size, Wide};
 
 use super::number::{Number, Range};
 
-/// The binary exponent of the largest error of an operation that underflows, for each format.
+/// An `f32` operation that underflows errs by at most 2 to this power.
 const LOST_OF_SINGLES: i32 = -149;
 const LOST_OF_DOUBLES: i32 = -1074;
 // An operation on pairs consists of several float operations, each of which may underflow.
 const LOST_OF_PAIRS: i32 = -1070;
 
-/// The range of `f32`, which is narrow. Steps with inputs outside of it are computed in `f64`.
+/// The range in which `f32` bounds hold. With inputs beyond it, a step is computed in `f64`.
 const SINGLE: Range = Range::of(LOST_OF_SINGLES, -40, 4, BITS_OF_SINGLE_STEPS);
 
 const ALLOWANCE_OF_DOUBLES: i32 = -150;

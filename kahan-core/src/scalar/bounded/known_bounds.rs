@@ -28,8 +28,8 @@ impl<G: Magnitude> KnownBounds<G> {
 }
 
 /// Returns an upper bound of the backward error of a row. `products` is a lower bound of |A|·|x̃|.
-/// The result is infinite if a bound is NaN, or does not cover underflow for inputs up to
-/// `largest`.
+/// The result is infinite if the error is NaN, or if `largest`, the largest input, exceeds the
+/// limit up to which the bounds cover underflow.
 pub(crate) fn backward_error<G: Magnitude>(
     residual: KnownBounds<G>,
     products: G,

@@ -49,11 +49,11 @@
 //! A product, quotient or literal that underflows has an error of at most η. The error of its
 //! magnitude m has the same bound. Let all inputs be at most 2ᴸ and all products of inputs at most
 //! 2ᴮ. Then these errors grow to at most w·2ᴮ·η, where w counts operations that may underflow. A
-//! sum takes the larger w of its terms, and its bit of B covers the other term. A product or
+//! sum has the larger w of its two terms, because a sum also adds one bit to B. A product or
 //! quotient adds 1 to the w of both operands. Every error includes the [allowance](number::Range).
-//! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. In quotients, every
-//! divisor is assumed to be the smallest allowed one, and errors are divided by it twice. Dividing
-//! a constant by ε multiplies it by at most 2 to the power [`bits_of_steps`](number::Range).
+//! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. A quotient divides an
+//! error at most by the square of the smallest allowed divisor. Dividing a constant by ε multiplies
+//! it by at most 2 to the power [`bits_of_steps`](number::Range).
 //!
 //! The caller compares the inputs with the limit [`Bounded::largest_input`], which is known at
 //! compile time. The limit allows no input if operations and constants violate a premise, for
@@ -96,7 +96,7 @@ pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     roundings: u32,
     /// The number of operations that may underflow; see "Underflow" in the module's head.
     underflows: u32,
-    /// The largest number of inputs in a product, whose other factors are at most 2^`bits`.
+    /// The largest number of inputs in a product. The product's other factors are at most 2^`bits`.
     inputs: u32,
     bits: u32,
     /// An approximation of 1/|value|, for a quotient whose numerator is an integer constant.
@@ -140,8 +140,8 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         InputLimit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
-    /// Creates a value whose error is unknown. With the largest `bits` every input is too large. An
-    /// infinite magnitude alone does not suffice, because 0·∞ = NaN.
+    /// Creates a value whose error is unknown. Because `bits` is the maximum, `largest_input`
+    /// allows no input. An infinite magnitude alone does not suffice, because 0·∞ = NaN.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = BoundedPair::new(value, V::Magnitude::of(f64::INFINITY));
@@ -153,7 +153,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Self { pair: self.pair.negated(), ..self }
     }
 
-    /// Replaces the magnitude m by `change(m)`, which must be numerically equal to m.
+    /// Replaces the magnitude by `change(magnitude)`: an equal number that compilers cannot pack.
     #[inline(always)]
     pub(crate) fn with_magnitude(self, change: impl FnOnce(V::Magnitude) -> V::Magnitude) -> Self {
         Self { pair: BoundedPair::new(self.value(), change(self.magnitude())), ..self }
@@ -164,7 +164,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         self.inputs == 0
     }
 
-    /// Returns whether this is an unchanged input by which steps may divide.
+    /// Returns whether this is an input, not a result, of a size by which steps may divide.
     #[inline(always)]
     pub(crate) fn is_ordinary_input(&self) -> bool {
         let is_input = self.inputs == 1 && self.roundings == 0 && self.bits == 0;
@@ -223,9 +223,9 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
     }
 }
 
-/// Returns the magnitude that covers underflow in a numerator with this count of roundings. Times
-/// the [weight](Bounded::weight) of a reciprocal r̂, this magnitude is at least the allowance times
-/// |r̂|.
+/// Returns a magnitude that covers underflow in a numerator with this count of roundings:
+/// multiplied by the [weight](Bounded::weight) of a reciprocal r̂, it is at least |r̂| times the
+/// allowance.
 #[inline(always)]
 pub(crate) fn underflow<V: Number>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))

@@ -49,7 +49,7 @@ pub(crate) struct Range {
 
 const POWER_OF_UNDERFLOWS: i32 = 10;
 
-/// The largest number of underflows in a formula that its error bound covers.
+/// The largest number of underflows per formula that error bounds cover.
 pub(crate) const MOST_UNDERFLOWS: u32 = 1 << POWER_OF_UNDERFLOWS;
 
 impl Range {

@@ -99,7 +99,7 @@ packed! {
 }
 
 packed! {
-    /// A pair of floats. The upper lanes repeat the magnitude, as subnormal contents would be slow.
+    /// A pair of floats. Unused lanes repeat the magnitude, because subnormal numbers are slow.
     PackedSingle(__m128) of f32:
     new: |value, magnitude| _mm_move_ss(_mm_set1_ps(magnitude), _mm_set_ss(value)),
     value: _mm_cvtss_f32,

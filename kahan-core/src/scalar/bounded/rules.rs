@@ -82,7 +82,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         if !is_certain {
             return None;
         }
-        // For v̂ = a/b̂ with known 1/|a|, 1/|b̂| = |v̂|·(1/|a|) needs no second division.
+        // If 1/|a| is known, v̂ = a/b̂ gives 1/|b̂| as |v̂|·(1/|a|) without a second division.
         let (magnitude, inverse, ratio) = match self.inverse() {
             Some(inverse) => {
                 let ratio = self.ratio.unwrap_or_else(|| V::Magnitude::of(1.0));

@@ -65,8 +65,8 @@ pub(super) fn ln(x: Dd) -> Dd {
 /// Returns sin x and cos x, each with a relative error of at most 16u² plus 2⁻¹⁵⁵|x|. The results
 /// are NaN for |x| > 2⁴⁰.
 ///
-/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|. If the subtraction cancels, 6u²
-/// of the second float of k·π/2 is added. The last sum rounds by 3u². The other terms of the sine
+/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|, plus 6u² times the second part
+/// of k·π/2 if the subtraction cancels. The last sum rounds by 3u². The other terms of the sine
 /// have the relative error 38u², and are at most 0.12 of the value. The other terms of the cosine
 /// have the relative error 18u², and are at most 0.42 of the value.
 pub(super) fn sin_cos(x: Dd) -> (Dd, Dd) {

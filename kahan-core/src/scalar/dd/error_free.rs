@@ -13,7 +13,7 @@ pub(super) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// Returns the rounded sum and its error (Dekker). Requires that |a| ≥ |b|, or that a is a multiple
-/// of the last place of b.
+/// of the unit in the last place of b.
 #[inline(always)]
 pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;

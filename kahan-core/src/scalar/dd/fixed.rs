@@ -72,7 +72,7 @@ impl Fixed {
     pub(super) fn rounded(&self, has_more: bool) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let leading = 64 * top as i32 + 63 - self.limbs[top].leading_zeros() as i32;
-        // This is the exponent of the float's last bit.
+        // The exponent of the float's last bit.
         let last = (leading - POINT - 52).max(-1074);
         let (limb, shift) = place(last);
         let next = self.limbs.get(limb + 1).copied().unwrap_or(0);

@@ -12,7 +12,7 @@ use super::{Digits, Size, Wide};
 use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
-/// The largest number of digits of the numbers in an elimination.
+/// The number of digits that the long numbers of an elimination can store.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
     Few,
@@ -123,8 +123,8 @@ impl LongNumber {
         self.leading().radius() * Size::from(1e40) <= self.at_most()
     }
 
-    /// Returns whether a larger capacity would not help, because all components are known, or a
-    /// known component is out of range. The `bool` says whether a component is in range.
+    /// Returns whether a larger capacity would not help, because all components are known, or
+    /// because a known one is out of range. Each `bool` says whether its component is in range.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);

@@ -1,9 +1,9 @@
 //! Software floats with sparse digits and an error radius, which prove the error bound of a step.
 //!
 //! A number is a [row](rows) of at most D nonzero base-2⁶⁴ digits over a 64-bit denominator. The
-//! *radius* bounds the digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats and divisions
-//! by zero are *undefined*, and so are all results from them. Digits are sparse because a
-//! determinant of six variables has terms from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
+//! *radius* bounds the total of the digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats
+//! and divisions by zero are *undefined*, and so are all results from them. Zeros are not stored,
+//! because a determinant of six variables has terms from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
 
 mod arithmetic;
 mod convert;

@@ -17,11 +17,11 @@ pub(super) struct DigitRow<const M: usize> {
     cut: Size,
 }
 
-/// The capacity of a short row in digits. `LEADING` digits of a long row are copied to a short one.
+/// The capacity of a short row in digits. Long rows guess quotients from `LEADING` digits.
 const SHORT: usize = 40;
 const LEADING: usize = 18;
 
-/// Returns an upper bound on the value of a digit and all lower digits.
+/// Returns an upper bound on the magnitude of a digit and all lower digits together.
 fn from_here_on((place, digit): (i64, i64)) -> Size {
     Size::from(digit.unsigned_abs() as f64 * (1.0 + 4.0 * f64::EPSILON) + 1.0).scaled(64 * place)
 }
@@ -39,7 +39,7 @@ impl<const M: usize> DigitRow<M> {
     pub(super) const EMPTY: Self =
         Self { digits: [(0, 0); M], start: M, cut: Size { exponent: 0, mantissa: 0.0 } };
 
-    /// Adds a sum of digits at a place above all other digits. Returns the carry to the next place.
+    /// Adds the low 64 bits of `total` as the leading digit. Returns the carry to the next place.
     fn settle(&mut self, place: i64, total: i128) -> i128 {
         let digit = total as i64;
         if digit != 0 {
@@ -214,8 +214,8 @@ impl<const M: usize> DigitRow<M> {
         parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }
 
-    /// Returns q and r with self = q·divisor + r exactly, for a nonzero divisor. The remainder r is
-    /// below the last digit that a number can store.
+    /// Returns q and r with self = q·divisor + r exactly, for a nonzero divisor. The quotient
+    /// r/divisor is smaller than the last digit of q that a number can store.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {

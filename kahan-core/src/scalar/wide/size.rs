@@ -13,7 +13,7 @@ pub(crate) struct Size {
     pub(super) mantissa: f64,
 }
 
-/// The bits of the float 1.0, and the mask of a mantissa's fraction.
+/// The bit pattern of the float 1.0.
 const ONE: u64 = 1023 << 52;
 const FRACTION: u64 = (1 << 52) - 1;
 

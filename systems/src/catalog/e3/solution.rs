@@ -15,7 +15,7 @@ use crate::special::Real;
 ///   T), z = coth δ coth T/ε, where the integral K̂ is coth² δ/(2ε²).
 ///
 /// On both branches the integral Ĥ is tan θ, and δ has the sign of ε. In `f64` the error is at most
-/// 4 ulp of the point's norm, multiplied by the condition (1 + |T|) max(1, |ε| norm).
+/// 4 ulp of the point's norm r, multiplied by the condition number (1 + |T|) max(1, |ε|r).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// Half the time step, ε.
@@ -24,7 +24,7 @@ pub struct Solution<T> {
     pub delta: T,
     /// The constant κ in T = 2δn + κ.
     pub kappa: T,
-    /// The angle θ of the vector (x, y) or of its negative.
+    /// The angle θ of (x, y) at n = 0, or of −(x, y) on the outer branch if εz < 0.
     pub theta: T,
     /// The branch: inner if |εz| < 1, outer if |εz| > 1.
     pub branch: Branch,
@@ -39,7 +39,7 @@ impl<T: Real> Solution<T> {
         require(!eps.is_zero(), "eps != 0")?;
         require(radius_square.is_positive(), "x^2 + y^2 > 0")?;
         let scaled = *eps * z;
-        // This is 1 − ε²z² without cancellation.
+        // 1 − ε²z² without cancellation.
         let inner = (T::one() - scaled) * (T::one() + scaled);
         require(!inner.is_zero(), "eps^2 z^2 != 1")?;
         let width = inner.abs().sqrt();
@@ -49,8 +49,8 @@ impl<T: Real> Solution<T> {
         let eps = *eps;
         Ok(if inner.is_positive() {
             Self {
-                // With r² = x² + y² and |x|² = x² + y² + z², sinh²δ = ε²|x|²/(1 − ε²z²) and sinh²κ
-                // = z²(1 + ε²r²)/(r²(1 − ε²z²)).
+                // With r² = x² + y² and R² = r² + z², sinh²δ = ε²R²/(1 − ε²z²) and sinh²κ = z²(1 +
+                // ε²r²)/(r²(1 − ε²z²)).
                 delta: (eps * norm / width).asinh(),
                 kappa: (z * stretched / (radius * width)).asinh(),
                 theta: y.atan2(&x),
@@ -60,8 +60,8 @@ impl<T: Real> Solution<T> {
         } else {
             let sign = (eps * z).sign();
             Self {
-                // With r² = x² + y² and |x|² = x² + y² + z², sinh²δ = (1 + ε²r²)/(ε²z² − 1) and
-                // sinh²κ = |x|²/(r²(ε²z² − 1)).
+                // With r² = x² + y² and R² = r² + z², sinh²δ = (1 + ε²r²)/(ε²z² − 1) and sinh²κ =
+                // R²/(r²(ε²z² − 1)).
                 delta: (eps.sign() * stretched / width).asinh(),
                 kappa: (z.sign() * norm / (radius * width)).asinh(),
                 theta: (sign * y).atan2(&(sign * x)),

@@ -12,7 +12,7 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 ///   x = (λ/2)(dn + k cn), y = (λ/2)(dn − k cn), z = kλ sn,
 ///
 /// The field's symmetries, which change signs of x and y or map (x, y, z) to (y, x, −z), give the
-/// other trajectories. If xy > 0, the integrals are H = λ²(1 − k²)/4 and K = λ²(1 + k²)/4.
+/// other trajectories. H = ±λ²(1 − k²)/4, with the sign of xy, and K = λ²(1 + k²)/4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The time shift α in T = t + α.

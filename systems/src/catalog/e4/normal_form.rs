@@ -1,5 +1,5 @@
-//! The symmetries x → −x, y → −y and (x, y, z) → (y, x, −z) of E4 and its map. They map every point
-//! to a quarter of space where the elliptic functions of the solution are real.
+//! The symmetries x → −x, y → −y and (x, y, z) → (y, x, −z) of E4 and its map. Their compositions
+//! bring every point to a quarter of space where the elliptic functions of the solution are real.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -49,8 +49,8 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// Maps a point to one whose x and y have the signs `wanted(z)`, where `true` is negative. If x
-    /// is zero, x and y are exchanged, because at modulus 1 the curve contains no point with x = 0.
+    /// Maps a point to one whose x and y are negative or not as `wanted(z)` says. If x = 0, x and y
+    /// are exchanged, because the solution then has the modulus k = 1, and its formula has x ≠ 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();

@@ -15,8 +15,8 @@ use crate::special::Real;
 ///   coth T/ε, z = s(−1)ⁿ[μ sinh T + (1/ε + μ cosh δ) cosh δ/sinh T], with Ĥ = coth² δ/(2ε²), K̂ =
 ///   μ cosh δ/ε + coth² δ/ε².
 ///
-/// The constant δ has the sign of ε. In `f64` the error is at most 4 ulp of the point's norm,
-/// multiplied by the condition (1 + |T|) max(1, |ε| norm).
+/// The constant δ has the sign of ε. In `f64` the error is at most 4 ulp of the point's norm r,
+/// multiplied by the condition number (1 + |T|) max(1, |ε|r).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// Half the time step, ε.

@@ -70,7 +70,7 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
 ///
 ///   {x,y} = 0, {z,x} = x(1 − ε²x²), {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1].
 ///
-/// For ξ = 1 and ξ = −1 the matrix is −`P` of the maps of E1 and E2.
+/// For ξ = 1 and −1 the matrix is minus the bracket `P` in the blocks of E1 and E2.
 pub fn bracket_of_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> SMatrix<T, 3, 3> {
     let [x, y, _] = (*point).into();
     let scaled = *eps * x;

@@ -102,8 +102,8 @@ impl<T: Real> Quadrature<T> {
         Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))
     }
 
-    /// Returns the integral ∫ dx/(xz) from a turning point x* to x = x* e^(σS²), computed as ∫₀^S
-    /// 2s ds/z with z² = −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
+    /// Returns the integral ∫ dx/(xz) from a turning point x* to x = x* e^(σS²), where σ = ±1 is
+    /// `sigma`, computed as ∫₀^S 2s ds/z with z² = −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
     fn time_from(&self, turning: &T, x: &T, sigma: T) -> T {
         let two = T::from_int(2);
         let end = (sigma * (*x / *turning).ln()).sqrt();

@@ -25,7 +25,7 @@ pub enum Solution<T> {
 }
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails unless ξ is 0, 1 or −1, and if
+    /// Returns the orbit through `point` at n = 0. Fails if ξ is not 0, 1 or −1, or if
     /// [`e3::Solution::through`] or [`e4::Solution::through`] fails.
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         if xi.is_zero() {

@@ -10,7 +10,7 @@ use crate::special::Real;
 
 /// The linear change of variables from an Euler top to E4, which permutes and scales the axes. With
 /// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cᵢ² = rⱼrₖ, which is
-/// positive if all rᵢ have one sign. The axis whose α alone has its sign becomes the third axis.
+/// positive if all rᵢ have one sign. The third axis is the one whose α differs in sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
     /// The axes of the top that become the first, second and third coordinate of E4.

@@ -8,7 +8,7 @@ use nalgebra::SMatrix;
 
 use crate::Scalar;
 
-/// The smallest ratio of a pivot to its row or column for which a step loses at most ten bits.
+/// A step loses at most ten bits if each pivot is at least this times 1 + Σ|εf′| over its column.
 const LEAST_PIVOT: f64 = 1.0 / 1024.0;
 
 #[inline(always)]
@@ -24,8 +24,8 @@ pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N,
     (0..N).all(|i| (0..N).map(|j| slope(matrix, i, j)).sum::<f64>() <= 0.5)
 }
 
-/// Returns whether A = I − εf′ is far from singular. Every pivot is compared with the absolute
-/// values of εf′ in its column, or in its row.
+/// Returns whether A = I − εf′ is far from singular: in A or its transpose, every pivot is at least
+/// `LEAST_PIVOT` times 1 + the sum of |εf′| over its column.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     if has_small_slopes(matrix) {
         return true;

@@ -1,8 +1,8 @@
 //! Orbits that continue through poles, in projective space.
 //!
-//! The orbit takes ordinary steps while these preserve enough digits ([`memory`]). Otherwise the
-//! orbit follows lines ([`passage`]) over numbers that depend on a small δ ([`delta_series`]),
-//! until points that the pole merged are separate again.
+//! The orbit takes ordinary steps while these preserve enough digits ([`memory`]). Near a pole, a
+//! step brings distant points together. There the orbit follows lines ([`passage`]) whose points
+//! depend on a small δ ([`delta_series`]), until points of different δ are apart again.
 
 mod delta_series;
 mod memory;
@@ -24,7 +24,7 @@ use passage::{NoLimit, Passage, PassagePoint};
 pub use passage_scalar::ThroughPoles;
 pub use point::ProjectivePoint;
 
-/// The number of steps after which merged points are assumed to stay merged.
+/// After this number of steps, points that a pole mapped to one are assumed to stay together.
 const MOST_STEPS: usize = 12;
 
 /// The maximum number of variables for which the orbit follows lines, because matrices lie on the
@@ -115,7 +115,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         None
     }
 
-    /// Returns the next point if an ordinary step does not yield it.
+    /// Returns the next point in all cases that `next` does not handle itself.
     #[cold]
     fn next_beyond_steps(&mut self) -> Option<ProjectivePoint<T, N>> {
         match mem::replace(&mut self.at, OrbitPosition::Nowhere) {

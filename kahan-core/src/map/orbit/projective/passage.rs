@@ -28,7 +28,7 @@ fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
 #[derive(Clone)]
 struct ProjectiveLine<S, const N: usize> {
     point: SVector<S, N>,
-    /// The derivative of the first point by the current point, or `None` if this is unknown.
+    /// The Jacobian of the steps from the current point back to the first, or `None` if unknown.
     derivative: Option<SMatrix<S, N, N>>,
 }
 
@@ -96,7 +96,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         self.last
     }
 
-    /// Returns the next point. If an attempt fails, the next attempt repeats all steps.
+    /// Returns the next point. A failed attempt is followed by another from the passage's start.
     pub(super) fn advance(&mut self) -> Result<PassagePoint<T, N>, NoLimit> {
         let mut steps = 1;
         loop {

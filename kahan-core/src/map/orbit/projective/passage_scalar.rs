@@ -58,7 +58,7 @@ macro_rules! implement_for_float {
                 let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
                 let was_flat = mem::replace(is_flat, has_small_slopes(&map.matrix(next, -*eps)));
                 let is_finite = next.iter().all(Pivot::is_finite_number);
-                // Copies of the arguments let a loop keep its state in registers.
+                // Copies of the arguments allow a caller's loop to keep its state in registers.
                 is_known && is_finite && (was_flat && *is_flat || loses_little(map, *x, *next, *eps))
             }
 

@@ -205,7 +205,7 @@ fn a_weight_of_an_exact_number_counts_the_product() {
     }
 }
 
-/// If a number has an error radius, the radius gives its bound, even if terms cancelled.
+/// A number with a known error radius has a bound close to this radius, even if terms cancelled.
 #[test]
 fn a_known_radius_is_the_error() {
     use crate::scalar::{Size, Wide};
@@ -253,7 +253,7 @@ fn units_are_those_of_the_operations() {
     use crate::Dd;
     let u = f64::EPSILON / 2.0;
     assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
-    // A quotient errs by at most 14u². A multiply-add is counted as two roundings, and errs by 16u²
-    // in the product and by 5u² in the result.
+    // A `Dd` quotient errs by at most 14u², and a product by 16u². A multiply-add counts as two
+    // roundings, and errs by 16u² in the product and by 5u² in the result.
     assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

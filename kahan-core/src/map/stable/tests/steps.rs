@@ -233,7 +233,7 @@ fn what_is_not_finite_is_no_result() {
     assert!(zero[0].is_zero());
 }
 
-/// At one parameter the leading terms cancel, and the remaining digits are 2·10³ bits lower.
+/// At one value of h the leading terms cancel, and the rest is smaller by a factor of 2⁻²⁰⁰⁰.
 #[test]
 fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     crate::kahan! {

@@ -246,7 +246,7 @@ mod premises {
         }
     }
 
-    /// The allowance for underflow is 2¹⁰·2ᴮ·η, if 2ᴮ limits products and η is one underflow error.
+    /// The allowance is 2¹⁰·2ᴮ·η, with products of at most 2ᴮ and one underflow error of at most η.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {
@@ -258,7 +258,7 @@ mod premises {
     }
 }
 
-/// The numerator underflows to 0. Only the allowance covers the error of the product.
+/// The numerator underflows to 0, and only the allowance for underflow bounds its error.
 #[test]
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");

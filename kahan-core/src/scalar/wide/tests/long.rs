@@ -78,7 +78,7 @@ fn a_levelled_row_is_the_same_equation() {
 #[test]
 fn more_room_is_asked_for_until_a_step_is_settled() {
     let known = long(1.5);
-    // Different digits of two quotients are cut off, and their difference is unknown.
+    // Two equal quotients are cut off at different digits; their difference may be nonzero.
     let divisor = || long(1e300) + long(3e-300);
     let lost = LongNumber::new(Wide::one(), Capacity::Few) / divisor() - LongNumber::one() / divisor();
     let are_settled = |components: &[(LongNumber, bool)]| {

@@ -121,7 +121,6 @@ impl Random {
             2 => core::array::from_fn(|_| if self.bits() & 1 == 0 { 0 } else { u64::MAX }),
             _ => core::array::from_fn(|_| self.bits()),
         };
-        // Up to two bits of a regular mantissa are flipped.
         for _ in 0..self.bits() % 3 {
             let place = self.bits() % (64 * LIMBS as u64);
             limbs[(place / 64) as usize] ^= 1 << (place % 64);

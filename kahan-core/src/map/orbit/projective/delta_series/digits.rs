@@ -32,11 +32,11 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN_BITS) { leading } else { entry }
 }
 
-/// The steps back to the first point may amplify rounding errors by at most 2 to this power.
+/// Steps do not count as one-to-one if the inverse steps lose more bits than this.
 const MAX_LOST_BITS: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// The number of attempts: one with δ = 0 for points near a pole, then two along other lines.
+    /// The number of attempts: one with δ = 0 for points near a pole, then two with δ > 0.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {

@@ -37,9 +37,9 @@ pub(super) trait DeltaSeries<T: Scalar>: Scalar {
         effort: usize,
     ) -> Option<ProjectivePoint<T, N>>;
 
-    /// Returns whether the steps so far are one-to-one near the first point. The matrix
-    /// `derivative` is the derivative of the first point by `point`. Returns `None` if the numbers
-    /// have too few digits.
+    /// Returns whether the steps from the start of a passage to `point` are one-to-one near the
+    /// start, or `None` if the numbers have too few digits. `derivative` is the Jacobian of the
+    /// steps back.
     fn is_one_to_one<const N: usize>(
         derivative: &SMatrix<Self, N, N>,
         point: &SVector<Self, N>,
