@@ -21,7 +21,7 @@ pub use reciprocal::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalT
 pub type Trajectory = Box<dyn Fn(&Float256) -> Vec<Float256>>;
 
 /// A function from the parameters and the point at t = 0 to a trajectory. The result is `None` if
-/// no solution of the closed form passes through the point, or if an argument has the wrong length.
+/// the closed formula does not hold at the point, or if an argument has the wrong length.
 pub type ClosedFlow = fn(parameters: &[Float256], start: &[Float256]) -> Option<Trajectory>;
 
 pub(crate) fn trajectory<S: 'static, const N: usize>(
@@ -37,7 +37,7 @@ pub(crate) fn point<const N: usize>(coordinates: &[Float256]) -> Option<SVector<
     <[Float256; N]>::try_from(coordinates.to_vec()).ok().map(SVector::from)
 }
 
-/// The error that no solution of the closed form passes through a point.
+/// The error that a closed formula for the solution does not hold at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfDomain {
     /// The condition that the point violates, as a formula.
@@ -52,13 +52,13 @@ impl fmt::Display for OutOfDomain {
 
 impl core::error::Error for OutOfDomain {}
 
-/// A real branch of a hyperbolic or elliptic solution. An orbit stays on its branch. On the
-/// boundary between the branches, det A vanishes for one sign of ε.
+/// A real branch of a hyperbolic or elliptic solution, on which an orbit stays. On the boundary
+/// between the branches, the matrix A(x, ε) or A(x, −ε) is singular.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
     /// The bounded branch, which for ε → 0 tends to the solution of the flow.
     Inner,
-    /// The unbounded branch, which has poles, and signs that alternate.
+    /// The unbounded branch, which has poles.
     Outer,
 }
 

@@ -111,7 +111,7 @@ impl Interpreter {
         self.at(arithmetic, x).run_with(self.derived.at_eps_zero().polarized(), y)
     }
 
-    /// Returns the image x̃ under the reduced map. Returns `None` at a pole, also for floats.
+    /// Returns the image x̃ under the reduced map, or `None` at a pole (even for floats).
     pub fn next<A: OverRationals>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
         self.at(arithmetic, point).next()
     }

@@ -4,12 +4,12 @@
 //! [`check`] makes a [`system`] or a [`family`], and [`prove`] decides the claims. [`derive()`]
 //! returns every [`plan`] that evaluates the map, by the code in [`derived`].
 //!
-//! The macro, maps at run time and the command all use [`Derived`]. The crate must therefore know
-//! neither a target language nor the scalars of `kahan-core`.
+//! The macro, maps at run time and the command all use [`Derived`]. This crate therefore contains
+//! nothing about a target language or the scalars of `kahan-core`.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Each module uses only modules above it. A test checks this.
+// Each module uses only modules above it in this list. A test checks the order.
 pub mod prime_field;
 
 pub mod poly;
@@ -80,8 +80,8 @@ pub fn read_unproved(tokens: &[Token]) -> Checked {
     check_block(block, None, diagnostics)
 }
 
-/// Parses and checks a text in the lenient notation without proving its claims. The long list of
-/// tokens is freed before the check.
+/// Parses and checks a text in the lenient notation without proving its claims. The tokens are
+/// freed before the check to save memory.
 #[must_use]
 pub fn read_unproved_text(text: &str) -> Checked {
     let mut diagnostics = Diagnostics::default();
@@ -126,7 +126,7 @@ fn check_block(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnost
 }
 
 /// Returns the seed of the prover's random points, a cryptographic hash of the text. Builds are
-/// therefore reproducible. The best known way to a false claim that passes the test is to try
+/// therefore reproducible. To have a false claim accepted, no better way is known than to try
 /// texts.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {

@@ -6,16 +6,17 @@
 //! Let x̃ be the image of x and f(x,x̃) the polarised field, so that x̃ − x = 2ε f(x,x̃). A *form*
 //! is an affine function of x. Two theorems hold in any dimension.
 //!
-//! **Polarisation.** Let I = a·x + xᵀCx with dI/dt = 0 and Cf affine. Then I − ε² fᵀCf is an
-//! integral. Proof: write I = a·x + yᵀCy with forms y whose derivatives ℓ are affine. Polarise
-//! dI/dt = 2ℓᵀCy + a·f = 0 to ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0. As ỹ − y = ε(ℓ + ℓ̃),
+//! **Polarisation.** Let I = a·x + xᵀCx with a symmetric constant matrix C, dI/dt = 0 and Cf
+//! affine. Then I − ε² fᵀCf is an integral. Proof: write I = a·x + yᵀCy with forms y whose
+//! derivatives ℓ are affine. Let ỹ, ℓ̃ and Ĩ be y, ℓ and I at x̃. Polarise dI/dt = 2ℓᵀCy + a·f = 0
+//! to ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0, and ẏ = ℓ to ỹ − y = ε(ℓ + ℓ̃). Then
 //!
 //! Ĩ − I = ε(ℓ + ℓ̃)ᵀC(y + ỹ) − 2ε(ℓᵀCỹ + ℓ̃ᵀCy) = ε(ℓ̃ − ℓ)ᵀC(ỹ − y) = ε²(ℓ̃ᵀCℓ̃ − ℓᵀCℓ).
 //!
-//! **Rotation.** Let ẏ = m N y with a form m and a constant matrix N, I = yᵀQy, QN antisymmetric
-//! (dI/dt = 0), QN² = −δQ. Then I/(1 + ε²δm²) is an integral. Proof: (1 − εmN)ỹ = (1 + εm̃N)y. As
-//! QN = −NᵀQ, I has on the left the value ỹᵀQ(1 − ε²m²N²)ỹ = (1 + ε²δm²)Ĩ, and on the right (1 +
-//! ε²δm̃²)I.
+//! **Rotation.** Let ẏ = m N y with a vector y of forms, a form m and a constant matrix N. Let I =
+//! yᵀQy, let QN be antisymmetric (dI/dt = 0), and let QN² = −δQ. Then I/(1 + ε²δm²) is an integral.
+//! Proof: polarisation gives (1 − εmN)ỹ = (1 + εm̃N)y. Since QN = −NᵀQ, vᵀQv is (1 + ε²δm²)Ĩ for v
+//! on the left, and (1 + ε²δm̃²)I for v on the right.
 
 mod linear_relations;
 
@@ -36,24 +37,24 @@ const MOST_WORK: u64 = 4_000_000;
 /// The theorem from which an integral follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// If I = a·x + xᵀCx is an integral of the flow ẋ = f and Cf is affine, then I − ε² fᵀCf is an
-    /// integral of the map.
+    /// If I = a·x + xᵀCx with a symmetric constant matrix C is an integral of the flow ẋ = f, and
+    /// Cf is affine, then I − ε² fᵀCf is an integral of the map.
     ///
     /// A linear integral I of the flow is also an integral of the map. For linear f, every
     /// quadratic integral I is an integral of the map.
     ///
-    /// *Relations*: if w = x² and ẋ = y, then w − x² + ε²y² is an integral of the map. *Energy*: if
-    /// ẋ = p, ṗ = −F and Ẇ = F·p for a potential W with gradient F, then |p|²/2 + W − ε²|F|²/2 is
-    /// an integral.
+    /// *Relations*: for states w, x, y with ẋ = y and the integral w − x² of the flow, w − x² +
+    /// ε²y² is an integral of the map. *Energy*: for states x, p, F, W with ẋ = p, ṗ = −F and Ẇ =
+    /// F·p, |p|²/2 + W − ε²|F|²/2 is an integral of the map.
     Polarisation,
-    /// Let y be forms with ẏ = mNy, where m is a form and N a constant matrix with N² = −δ, δ > 0.
-    /// If yᵀQy is an integral of the flow, then yᵀQy/(1 + ε²δm²) is an integral of the map. If m is
-    /// also an integral, so is yᵀQy. The forms s and c with ṡ = αcm and ċ = −βsm give (βs² +
-    /// αc²)/(1 + ε²αβm²).
+    /// Let y be a vector of affine functions (forms) with ẏ = mNy, where m is a form and N a
+    /// constant matrix with N² = −δ, δ > 0. If yᵀQy is an integral of the flow, then yᵀQy/(1 +
+    /// ε²δm²) is an integral of the map. If m is also an integral, so is yᵀQy. For example, forms s
+    /// and c with ṡ = αcm and ċ = −βsm for constants αβ > 0 give (βs² + αc²)/(1 + ε²αβm²).
     Rotation,
-    /// Like [`Rotation`](Rule::Rotation), but with δ < 0. The forms s and w with ṡ = κsm and ẇ =
-    /// −κwm give sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient
-    /// decides between the two rules.
+    /// Like [`Rotation`](Rule::Rotation), but with δ < 0. Forms s and w with ṡ = κsm and ẇ = −κwm
+    /// for a constant κ give sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading
+    /// coefficient decides between `Rotation` and `Hyperbolic`.
     Hyperbolic,
 }
 
@@ -70,9 +71,9 @@ pub struct ModifiedIntegral {
 
 /// Returns all integrals by polarisation and rotation within a bounded amount of work.
 ///
-/// First comes a basis of the linear integrals, then integrals by polarisation, modulo products of
-/// linear integrals. Integrals by rotation come last, ordered by forms m. All integrals are
-/// linearly independent, and usually also functionally independent.
+/// First comes a basis of the linear integrals, then integrals by polarisation, without products of
+/// linear integrals. Integrals by rotation come last, ordered by the form m of [`Rule::Rotation`].
+/// All integrals are linearly independent, and usually also functionally independent.
 #[must_use]
 pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     let Ok(flow) = Flow::of(field, &mut budget()) else { return Vec::new() };
@@ -82,9 +83,9 @@ pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     found
 }
 
-/// Returns the integral of the map for an integral of the flow of degree at most 2. Returns `None`
-/// if neither theorem applies, or if the work is too large. The rotation rule may change the
-/// constant term and multiply the integral by a denominator without states.
+/// Returns an integral of the map that at ε = 0 equals `integral`, an integral of the flow of
+/// degree at most 2. The rotation rule may change it by a constant and a factor without states.
+/// Returns `None` if neither theorem applies, or if the work is too large.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
@@ -125,10 +126,10 @@ impl From<OverBudget> for NoIntegral {
     }
 }
 
-/// A form with its derivative along the field, or with this derivative divided by a form m.
+/// An affine function y with its derivative ẏ, or with ẏ/m for a fixed affine function m.
 type WithSlope = (Polynomial, Polynomial);
 
-/// A product of two linear integrals that contains the product of the states `pair`.
+/// A product `value` of two linear integrals. The product of the two states `pair` is a term of it.
 #[derive(Clone)]
 struct Product {
     value: Polynomial,
@@ -274,8 +275,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of forms λᵢ and functions vₖ, which are given
-    /// with their derivatives. Products of the first `constant` forms are omitted.
+    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of affine functions λᵢ and functions vₖ, given
+    /// with their derivatives. Products of two of the first `constant` functions λᵢ are omitted.
     fn invariants(
         &self,
         forms: &[WithSlope],
@@ -325,7 +326,7 @@ impl<'a> Flow<'a> {
         Ok(found)
     }
 
-    /// Removes variables until no quotient contains a removed variable.
+    /// Removes variables until no quotient ẋᵢ/m in `slopes` contains a removed variable.
     fn remove_dependent(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {
@@ -367,13 +368,13 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map })
     }
 
-    /// Returns the integral I/(1 + ε²δm²) by rotation. For the derivatives y of I, further forms u
-    /// must satisfy ẏ = m u and u̇ = −δ m y.
+    /// Returns the integral I/(1 + ε²δm²) by rotation. For the partial derivatives y of I, there
+    /// must be affine functions u with ẏ = m u and u̇ = −δ m y.
     fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
-        // I is a quadratic form in 1 and the states. `first` is its derivative with respect to 1.
+        // With x₀ = 1, I is a quadratic form in x₀ and the states. `first` is its derivative by x₀.
         let mut first = integral.scale(&Rational::from(2));
         for (variable, slope) in slopes.iter() {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
@@ -400,8 +401,8 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(NoIntegral);
         }
-        // For a rotation, all sums u̇/m + δy vanish, except that the first sum may be a constant,
-        // which changes the constant term of I.
+        // For a rotation, u̇/m + δy = 0 for each y. Only for `first` it may be a constant, which
+        // changes the constant term of I.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;

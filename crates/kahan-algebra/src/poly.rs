@@ -1,8 +1,8 @@
 //! Multivariate polynomials over ℚ in a sparse normal form.
 //!
 //! Terms are strictly decreasing in graded lexicographic order and have nonzero coefficients. Equal
-//! polynomials are therefore equal as data. Names, evaluation and irreducible factors are
-//! deliberately absent.
+//! polynomials are therefore equal as data. This module provides no names of variables, no
+//! evaluation and no factorisation.
 
 mod arithmetic;
 mod budget;

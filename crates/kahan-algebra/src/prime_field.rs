@@ -72,7 +72,7 @@ impl PrimeField {
         if a == 0 {
             return None;
         }
-        // Both pairs (r, s) keep r = s·a modulo p, and |s| stays below p < 2^62.
+        // Both (r, s) and (next_r, next_s) satisfy r ≡ s·a modulo p, with |s| < p < 2^62.
         let (mut r, mut next_r) = (self.prime as i64, a as i64);
         let (mut s, mut next_s) = (0_i64, 1_i64);
         while next_r != 0 {

@@ -1,9 +1,8 @@
 //! Solves relations between parameters and ε for names that occur linearly.
 //!
-//! The result gives some names as rational functions of the other names. The coefficient of a name
-//! is assumed to be nonzero, and its factors are divided out of later relations. A relation a·v + b
-//! with coprime a and b is irreducible. The solutions then do not depend on the choice of the name
-//! v.
+//! The result gives some names as rational functions of the other names. If a relation a·v + b = 0
+//! is solved for v, a is assumed to be nonzero, and later relations are divided by its factors. If
+//! a and b are coprime, a·v + b is irreducible, and the solutions do not depend on the choice of v.
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, WithinBudget, gcd_within};
 use crate::rational_function::RationalFunction;
@@ -61,9 +60,9 @@ impl Default for Relations {
 }
 
 impl Relations {
-    /// Adds the relation `polynomial` = 0 and returns the name for which it was solved. Names with
-    /// a number as coefficient are preferred, then names with a coprime coefficient, then the order
-    /// of `names`.
+    /// Adds the relation `polynomial` = 0 and returns the name for which it was solved. In a
+    /// relation a·v + b = 0, names v with a number a are preferred, then names with coprime a and
+    /// b, then the order of `names`.
     ///
     /// # Errors
     /// Returns the [`Obstacle`], and does not add the relation.
@@ -116,7 +115,7 @@ impl Relations {
             let nonzero = self.nonzero[index].clone();
             own = without(own, &nonzero, &mut self.budget)?;
         }
-        // A polynomial a·v + b with a common factor of a and b is a product.
+        // For v = `name`, `own` = a·v + b is a product if a and b have a common factor.
         let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
             return Ok(());
         };

@@ -32,7 +32,7 @@ impl System {
             Specialisation { field: &self.field, new: &specialised.field.symbols, relations: &relations };
         let mut claims: Vec<Claim> = Vec::new();
         for claim in self.claims.iter().filter_map(|claim| specialisation.claim(claim)) {
-            // A block has one unconditional density. A second density is the first one times an
+            // A block has at most one unconditional density. A second one is the first one times an
             // integral.
             let is_density = |claim: &Claim| claim.kind == ClaimKind::Density && claim.is_unconditional();
             if !is_density(&claim) || !claims.iter().any(is_density) {

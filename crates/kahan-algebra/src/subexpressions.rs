@@ -1,10 +1,10 @@
 //! The written form of a field. Sums in products and reciprocals of divisors become named
 //! subexpressions (`Subexpressions`).
 //!
-//! Expansion can lose digits. For example, `(p - q)*x*y` is accurate for p near q, but `p*x*y -
-//! q*x*y` is not. A common divisor can also vanish by rounding where its factors do not. Plans for
-//! floats therefore use polynomials in states, parameters and named subexpressions. With all
-//! subexpressions inserted, the components are those of the [`Field`].
+//! Expansion can lose digits. For example, `(p - q)*x*y` is accurate for p near q, but
+//! `p*x*y - q*x*y` is not. An expanded product of divisors can also be rounded to 0 although no
+//! divisor is 0. Plans for floats therefore use polynomials in states, parameters and named
+//! subexpressions. With all subexpressions inserted, the components are those of the [`Field`].
 
 use kahan_program::Numbered;
 use kahan_syntax::rational::Rational;
@@ -51,7 +51,7 @@ pub struct FieldWithSubexpressions {
     pub(crate) components: Vec<Polynomial>,
 }
 
-/// A field for planning steps. Subexpressions without states are additional parameters.
+/// A field for step plans, in which parameters replace subexpressions without states.
 #[derive(Clone, Debug)]
 pub(crate) struct FieldWithConstants {
     pub(crate) field: Field,
@@ -367,14 +367,14 @@ impl FieldWithSubexpressions {
         (values, rows)
     }
 
-    /// Turns subexpressions without states into parameters. Returns `field` unchanged if a
-    /// coefficient vanishes.
+    /// Replaces subexpressions without states by parameters. Returns `field` unchanged if different
+    /// monomials in the states would then occur.
     pub(crate) fn with_constants(&self, field: &Field) -> FieldWithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
-    /// Turns subexpressions into parameters if they contain no variable for which `varies` holds.
-    /// Returns the plain field if a divisor contains such a variable.
+    /// Replaces subexpressions by parameters if they contain no variable for which `varies` holds.
+    /// Returns `field` unchanged if a divisor contains such a variable.
     pub(crate) fn with_values_free_of(
         &self,
         field: &Field,
@@ -430,9 +430,9 @@ impl FieldWithSubexpressions {
 
     /// Returns whether a step that is planned from expanded sums may lose digits.
     ///
-    /// This may happen if a term contains two written sums, or a constant and a sum as in `(y -
-    /// 1)/s`. A sum with the component's own state is harmless, because the constant cancels on the
-    /// diagonal of A. Every subexpression must be a sum.
+    /// This may happen if a term contains two written sums, or a constant and a sum as in
+    /// `(y - 1)/s`. A sum with the component's own state is harmless, because a large constant then
+    /// also occurs on the diagonal of A. Every subexpression must be a sum.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let is_sum = |variable: Variable| self.values.place(variable).is_some();
         let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);

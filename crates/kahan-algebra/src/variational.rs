@@ -1,8 +1,8 @@
 //! Derives the variational field, which extends a field by tangent vectors.
 //!
 //! The field ẋ = f(x) is extended by v̇ = f′(x)·v + ∂f/∂a for a parameter a. Polarisation and
-//! differentiation commute, so the map becomes x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a. For a = ε, f/ε +
-//! ∂f/∂ε replaces ∂f/∂a.
+//! differentiation commute, so the map becomes x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a. For a = ε, the time
+//! step changes as well, so f/ε + ∂f/∂ε replaces ∂f/∂a.
 
 use crate::field::Field;
 use crate::poly::Polynomial;

@@ -1,4 +1,4 @@
-//! Follows each hint to a text that can be read, or to a page.
+//! Tests that each hint leads to a text without mistakes, or to a page of the documentation.
 //!
 //! Each row has a text with one mistake, and the text to which the hint leads. Text that the hint
 //! quotes must occur in the second text.
@@ -180,7 +180,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(ON_TEXTS).exists());
 }
 
-/// A name like a derivative is a state if the block uses it as a state.
+/// A name such as `xd` or `x_` is a state if the block has an equation for it.
 #[test]
 fn names_that_are_used_are_states() {
     for (text, states) in [
@@ -203,7 +203,7 @@ fn names_that_are_used_are_states() {
     assert_eq!(checked("struct S { t } xdot = t*x;").diagnostics(), []);
 }
 
-/// If such a name were a parameter, claims about a misread field would be proved.
+/// If a derivative such as `xdot` became a parameter, claims about a misread field would be proved.
 #[test]
 fn no_name_of_a_derivative_is_taken_for_a_parameter() {
     for text in [

@@ -1,4 +1,4 @@
-//! Tests written forms, which keep products, divisors and differences but nothing that cancels.
+//! Tests that products, divisors and differences are kept as written unless they cancel.
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};

@@ -28,7 +28,6 @@ fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String 
     (0..count).map(one).collect::<Vec<_>>().join(between)
 }
 
-/// A way to test a limit.
 enum Tied {
     /// Makes a block of size n. At the limit, the block must be accepted, and for the next larger n
     /// it must be refused.
@@ -143,7 +142,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
     assert_eq!(rows, [], "these rows have no test");
 }
 
-/// All expressions of a block are charged to one budget. Long numbers cost more.
+/// All expressions of a block share one budget of work. Long numbers use more of it.
 #[test]
 fn many_large_expansions_are_one_mistake() {
     let only = |text: &str| {

@@ -82,7 +82,7 @@ fn found(text: &str) -> Vec<String> {
     found.iter().map(line).collect()
 }
 
-/// Checks that the integral of the map equals that of the flow at ε = 0, and follows from it.
+/// Checks that the integral of the map is derived from that of the flow, its value at ε = 0.
 fn check_limit(field: &Field, found: &ModifiedIntegral) {
     let eps = field.symbols.epsilon();
     let [above, below] = [found.of_map.numerator(), found.of_map.denominator()]
@@ -123,7 +123,7 @@ fn lifted_fields_keep_relations_and_energies() {
             "Polarisation: 2*a + 2*b + p1^2 + p2^2 + p3^2 - 2*eps^2*a^2 + 2*eps^2*a*b - 2*eps^2*b^2",
         ],
     );
-    // Kepler's problem has a = r⁻³, b = x·p/r², c = |p|²/r², F = ax and u = −1/r.
+    // Kepler's problem: a = r⁻³, b = (xp + yq)/r², c = (p² + q²)/r², F = ax, G = ay, u = −1/r.
     check(
         "xdot = p; ydot = q; pdot = -F; qdot = -G; adot = -3*a*b; bdot = c - 2*b^2 - a; \
          cdot = -2*b*(a + c); Fdot = a*p - 3*b*F; Gdot = a*q - 3*b*G; udot = F*p + G*q;",
@@ -164,8 +164,7 @@ fn fields_that_nearly_fit_keep_nothing() {
         "xdot = y + x^2; ydot = x*w - 3*y^2; wdot = 2*x*y + x^2;",
         // The derivative dI/dt vanishes only on s² + c² = 1.
         "xdot = p; pdot = -s; sdot = 2*c*p; cdot = -s*p + c;",
-        // In the first field, the growth rates of s and w are not opposite. In the second field, ċ
-        // contains m².
+        // Here ṡ/(sm) = 1 and ẇ/(wm) = −2 are not opposite. In the next field, ċ contains m².
         "sdot = s*m; wdot = -2*w*m; mdot = s*m + w^2 - 1;",
         "sdot = c*m; cdot = (m - s)*m; mdot = s*m + w^2 - 1; wdot = s^2 - w;",
         "sdot = c*m + s*c; cdot = -s*m - s^2 + 1; mdot = s*m + c^2 - 1;",
@@ -199,7 +198,7 @@ fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polyno
     sum
 }
 
-/// Replaces xᵢ by xᵢ + `by` in a field.
+/// Returns the field in coordinates with xᵢ − `by` in place of xᵢ.
 fn sheared(symbols: &Symbols, components: &[Polynomial], i: usize, by: &Polynomial) -> Vec<Polynomial> {
     let slopes = by.gradient(|variable| symbols.is_state(variable));
     let moved = slopes.into_iter().fold(components[i].clone(), |sum, (variable, slope)| {

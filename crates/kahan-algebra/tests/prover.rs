@@ -110,8 +110,7 @@ fn a_claim_that_divides_by_zero_identically_is_undefined() {
 
 #[test]
 fn multiples_of_large_primes_are_no_hiding_place() {
-    // The claim is zero modulo these primes of 60 and 61 bits. A prover with only one of them would
-    // be deceived.
+    // The claim holds modulo `prime`, so a prover with only this prime would accept it.
     for prime in ["2305843009213693951", "2305843009213693921", "1152921504606846883"] {
         let text = format!("{E3} integral F = y/x + {prime}*z;");
         assert!(matches!(verdicts(&text)[..], [Verdict::Refuted(_)]), "{prime}");
@@ -126,8 +125,8 @@ fn the_number_of_points_follows_from_the_bound() {
     assert_eq!(points_needed(u64::MAX, 0), None);
 }
 
-/// A false claim is proved if it passes at k of the first k + 15 steps. Each step tries up to 16
-/// points.
+/// With k points, a false claim is accepted if it passes at k of the first k + 15 steps. Each step
+/// tries up to 16 points.
 #[test]
 fn the_points_of_a_proof_pay_for_every_draw_that_may_pass_wrongly() {
     for degree in (0..46).flat_map(|power| [1_u64 << power, 3 << power]) {

@@ -1,4 +1,4 @@
-//! Tests reading of blocks, and prints blocks to read them again.
+//! Tests that blocks are read correctly, and that printed blocks are read as equal blocks.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
@@ -220,7 +220,6 @@ fn what_once_went_wrong_stays_mended() {
     assert_eq!(reading("struct _; xdot = x;").diagnostics().len(), 1);
     // Without equations, the only mistake is the missing field.
     assert_eq!(reading("integral H = x;").diagnostics().len(), 1);
-    // The message must not call the missing text empty.
     let read = reading("xdot = @x;");
     let message = &read.diagnostics()[0].message;
     assert!(message.contains('@') && !message.contains("empty"), "{message}");

@@ -229,8 +229,8 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// Plans divide by ε if steps would otherwise wait for products with ε, but plans for any scalar do
-/// not. E1, E3 and E5 are then exactly Kahan's map at a nearby ε.
+/// Plans for floats divide by ε if this shortens the dependence chain from step to step, but plans
+/// for all scalars do not. A divided step of E1, E3 or E5 is exactly Kahan's map at a nearby ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

@@ -1,4 +1,4 @@
-//! The page as a whole: head, table of contents, sections in their order, and colophon.
+//! Assembles the page: head, table of contents, sections and colophon.
 
 use maud::{Markup, html};
 

@@ -20,7 +20,7 @@ pub type Orbits<'a> = BTreeMap<&'static str, &'a Measurement>;
 /// The data from which the page is written.
 #[derive(Debug)]
 pub struct AtlasContent<'a> {
-    /// The registry of claims, which writes statements in LaTeX.
+    /// The registry of the paper's claims.
     pub paper: &'a Paper,
     /// All claims in the order of the paper.
     pub claims: Vec<CheckedClaim<'a>>,

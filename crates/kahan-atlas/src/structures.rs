@@ -10,7 +10,7 @@ use kahan_paper::{Outcome, StructureRow, structure};
 use kahan_systems::registry::SYSTEMS;
 
 fn latex(expression: &str) -> String {
-    // `latex_of` reads statements, so the expression becomes the right side of a definition.
+    // `latex_of` accepts only statements, so the expression becomes the right side of a definition.
     let item = latex_of(&format!("value := {expression}")).ok().and_then(|items| items.into_iter().next());
     item.map_or_else(|| format!("\\text{{{expression}}}"), |item| item.right)
 }
@@ -19,7 +19,7 @@ fn value(row: &StructureRow, name: &str) -> Markup {
     html! { @if let Some(value) = row.value(name) { (cell(&latex(value))) } }
 }
 
-/// Returns the names of a tensor's entries {x,y}, {y,z} and {z,x}. Names for maps end in `_eps`.
+/// Returns the names of a tensor's entries {x,y}, {y,z} and {z,x}, with the suffix `_eps` for maps.
 fn entries(tensor: &str, suffix: &str) -> [String; 3] {
     ["12", "23", "31"].map(|entry| format!("{tensor}{entry}{suffix}"))
 }

@@ -1,4 +1,4 @@
-//! Tests that the page is well formed, self-contained, complete, and equal to the measurements.
+//! Tests that the page is well formed, self-contained and complete, and shows measured numbers.
 
 #[path = "../../kahan-cli/tests/command/painting.rs"]
 mod painting;

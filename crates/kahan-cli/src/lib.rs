@@ -76,7 +76,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // After a refusal for the degree, notes are printed: they may show a misspelled variable.
+    // If the degree of a field is refused, notes may show a misspelled variable.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));

@@ -1,6 +1,6 @@
-//! Solutions of systems with ẋ = −x², which Kahan's method solves exactly. Trajectories have x =
-//! 1/T with T = t + α, and orbits have x = 1/(2εN) with N = n + τ. The flow preserves K = xz + y²,
-//! and the map preserves K/(1 − ε²x²).
+//! Solutions of systems with ẋ = −x², which Kahan's method solves exactly. After the time t, x =
+//! 1/T with T = t + α. After n steps of length 2ε, x = 1/(2εN) with N = n + τ. Here α and τ are
+//! constants. The flow preserves K = xz + y², and the map preserves K/(1 − ε²x²).
 
 use core::marker::PhantomData;
 
@@ -11,7 +11,7 @@ use super::{OutOfDomain, integer, require, shift_and_divisor};
 
 /// A system with ẋ = −x², with the formulas for y and z on its trajectories.
 pub trait ReciprocalFlow<T>: Sized {
-    /// Returns the constant β of the trajectory through a point.
+    /// Returns the flow's integral β at a point, such as y/x or xy.
     fn beta(x: T, y: T) -> T;
 
     /// Returns the point of the trajectory at `time` = T = t + α.
@@ -23,7 +23,7 @@ pub trait ReciprocalFlow<T>: Sized {
 pub struct ReciprocalTrajectory<S, T> {
     /// The constant α = 1/x₀ in T = t + α, where x₀ is x at t = 0.
     pub alpha: T,
-    /// The constant β of [`ReciprocalFlow::beta`].
+    /// The value of the integral β ([`ReciprocalFlow::beta`]) on the trajectory.
     pub beta: T,
     /// The value γ of the integral K = xz + y².
     pub gamma: T,
@@ -44,7 +44,7 @@ impl<S: ReciprocalFlow<T>, T: Scalar> ReciprocalTrajectory<S, T> {
     }
 
     /// Returns the point at time t. At the pole t = −α, exact scalars panic and floats become
-    /// infinite or NaN. Beyond the pole, logarithms are undefined.
+    /// infinite or NaN. Beyond the pole, solutions that contain ln T are NaN.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         S::point(self, t.clone() + self.alpha.clone())
     }
@@ -52,7 +52,7 @@ impl<S: ReciprocalFlow<T>, T: Scalar> ReciprocalTrajectory<S, T> {
 
 /// A system with ẋ = −x² whose map has rational orbits, with the formulas for y and z.
 pub trait ReciprocalMap<T>: Sized {
-    /// Returns the value β of the integral Ĥ. `divisor` is 1 − ε²x².
+    /// Returns the map's integral β, such as y/x. `divisor` is 1 − ε²x².
     fn integral(x: T, y: T, divisor: T) -> T;
 
     /// Returns the point of the orbit at `double` = 2N = 2(n + τ).
@@ -66,7 +66,7 @@ pub struct ReciprocalOrbit<S, T> {
     pub eps: T,
     /// The constant τ = 1/(2εx₀) in N = n + τ, where x₀ is x at n = 0.
     pub tau: T,
-    /// The value β of the integral Ĥ.
+    /// The value of the integral β ([`ReciprocalMap::integral`]) on the orbit.
     pub beta: T,
     /// The value γ of the integral K̂ = (xz + y²)/(1 − ε²x²).
     pub gamma: T,

@@ -125,7 +125,7 @@ fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
 fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);
-    // The terms that the series neglects have degree 8.
+    // The series neglects terms of degree 8 in `spreads`.
     let bound = T::epsilon().sqrt().sqrt().sqrt() * quarter;
     loop {
         let mean = (x + y + z) * third;

@@ -25,11 +25,11 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 /// Returns the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) for real w and σ.
 ///
 /// If 2σ is an integer up to ±64, R or its reciprocal is a polynomial, which is evaluated.
-/// Otherwise the series is used at a large w, with at most about 12 + 2|σ| factors in `f64` and
-/// 40 + 2|σ| in [`Float256`](super::Float256).
+/// Otherwise a series gives R at a larger argument, and a recurrence with at most about 12 + 2|σ|
+/// factors leads back to w (40 + 2|σ| in [`Float256`](super::Float256)).
 ///
-/// In `f64`, for |σ| ≤ 3, the error is at most 4 ulp for w ≥ 20, and 40 ulp for 0 ≤ w ≤ 20. For −20
-/// ≤ w < 0 the error is at most 64 ulp away from the poles.
+/// In `f64`, for |σ| ≤ 3, the error is at most 4 ulp for w ≥ 20, and 40 ulp for 0 ≤ w ≤ 20. For
+/// −20 ≤ w < 0 the error is at most 64 ulp away from the poles.
 pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     if let Some(n) = small_integer(&(T::from_int(2) * *sigma)) {
         return rational_ratio(w, n);
@@ -62,8 +62,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     let two = T::from_int(2);
     if is_reflected(w, sigma) {
-        // With f = w minus the nearest integer, the logarithmic derivative of the reflection is π
-        // tan π(σ−f) + π tan π(σ+f) = π sin 2πσ/(cos π(σ−f) cos π(σ+f)).
+        // With f = w minus the nearest integer, `tangents` is the derivative by w of ln(R(w,
+        // σ)/R(−w, σ)) = ln(cos π(σ−f)/cos π(σ+f)).
         let fold = fold(w);
         let cosines = cos_pi(&(*sigma - fold)) * cos_pi(&(*sigma + fold));
         let tangents = T::pi() * sin_pi(&(two * *sigma)) / cosines;

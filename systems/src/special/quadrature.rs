@@ -7,7 +7,7 @@ use super::Real;
 pub struct Integral<T> {
     /// The value of the integral.
     pub value: T,
-    /// The difference of the last two sums, usually much larger than the error of the value.
+    /// The difference of the sums for the last two step sizes, usually much larger than the error.
     pub change: T,
 }
 
@@ -27,12 +27,12 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     if half_width.is_zero() {
         return Integral { value: T::zero(), change: T::zero() };
     }
-    // At this u the weight cosh u e^(−π sinh u) is below the square of the precision.
+    // For u > `reach`, the weight cosh u·e^(−π sinh u) is below the square of the precision.
     let reach = (T::from_int(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
     let reach = libm::log(reach + (reach * reach + 1.0).sqrt()) + 0.2;
     let quarter_turn = T::pi() * T::half();
-    // Returns the sum of weight·f at the nodes ±u. The nodes are computed from their distance to
-    // the ends, which is 1 − tanh s = 2/(e^{2s} + 1).
+    // Returns the weighted sum of f at the two nodes x = ±tanh s with s = ½π sinh u. The distance
+    // of a node to the nearer end of [−1, 1] is 1 − tanh s = 2/(e^{2s} + 1).
     let pair = |u: &T| {
         let rise = u.exp_m1();
         let fall = rise / (rise + T::one());

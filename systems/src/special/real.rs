@@ -8,7 +8,7 @@ use kahan_core::num_rational::BigRational;
 /// NaN. Comparisons with NaN are false, and [`is_finite_number`](Pivot::is_finite_number) is false
 /// for NaN.
 pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
-    /// The number of decimal digits: 15 for `f64`, 76 for [`Float256`](super::Float256).
+    /// The number of decimal digits that survive conversion: 15 for `f64`, 76 for `Float256`.
     const DIGITS: usize;
 
     /// Returns the distance from 1 to the next larger number, which is twice the unit roundoff.

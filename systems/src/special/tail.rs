@@ -1,9 +1,10 @@
-//! Sums the tails of the series for the integrals K̂₇ and K̂₈, by asymptotic expansions.
+//! Sums series from an index N to infinity by asymptotic expansions, for the integrals K̂₇ and K̂₈.
 //!
-//! With w = N + j + 1/2, a term of the series is Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w). The
-//! midpoint form of the Euler–Maclaurin formula sums each power: Σ_j w_j^(−s) = N^(1−s) [1/(s−1) +
-//! Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))]. Derivatives by s yield the logarithms.
-//! Polynomials in η for the exponent s + η (jets) give the derivatives.
+//! Let w_j = N + j + 1/2 for j ≥ 0. The summands are Σ_i w_j^(−s−2i)(a_i + b_i ln w_j + c_i ln²
+//! w_j) with coefficients a_i, b_i, c_i. The midpoint form of the Euler–Maclaurin formula sums each
+//! power: Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))].
+//! Derivatives by s yield the logarithms, computed by polynomials in η for the exponent s + η
+//! (jets).
 
 use super::Real;
 use super::gamma::asymptotic_from;
@@ -12,7 +13,7 @@ use super::gamma_ratio::{binomial_sum, middle_values};
 /// A jet z₀ + z₁η + z₂η², where η³ = 0.
 type Jet<T> = [T; 3];
 
-/// Returns the least N for which the expansions have full precision. `size` bounds the parameters.
+/// Returns the least N for which the expansions have full precision, for |ξ| at most |`size`|.
 pub(crate) fn asymptotic_start<T: Real>(size: &T) -> i64 {
     2 * asymptotic_from::<T>() + 4 * size.abs().to_f64().ceil() as i64
 }
@@ -22,8 +23,8 @@ fn order<T: Real>() -> usize {
     T::DIGITS / 2 + 5
 }
 
-/// Returns the sum Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)). Here ξ = 2σ + 1, and Y_j is
-/// 1/R(N + j, σ) with the centred ratio R of Γ. Requires ξ > 0 and N ≥ [`asymptotic_start`].
+/// Returns Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = 1/R(N + j, σ), σ = (ξ −
+/// 1)/2 and R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ). Requires ξ > 0 and N ≥ [`asymptotic_start`].
 ///
 /// Let w = N + j + 1/2, and let p_n(σ) be the Bernoulli polynomial of degree n without its term of
 /// degree n − 1. The term with index j is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m 2p_{2m+1}(σ)/(m(2m+1)

@@ -50,7 +50,7 @@ fn the_quadrature_is_the_time_of_the_closed_cases() {
 
 #[test]
 fn the_period_of_e4_is_four_quarter_periods() {
-    // For ξ = −1, E9 is E4, and x = (λ/2)(dn + k cn) has the period 4K/λ.
+    // For ξ = −1, E9 is E4, and x is a sum of multiples of dn and cn at λ(t + α).
     let quadrature = e9::Quadrature::through(&Float256::from_int(-1), &start()).unwrap();
     let e9::FlowSolution::MinusOne(closed) =
         e9::FlowSolution::through(&Float256::from_int(-1), &start()).unwrap()

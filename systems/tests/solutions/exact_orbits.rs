@@ -101,11 +101,11 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
     }
 }
 
-/// Returns the largest error of an `f64` solution, divided by 2⁻⁵², by the point's norm and by the
-/// condition. The solution is compared with 8 backward and 12 forward steps of the map in 256 bits.
+/// Returns the largest error of an `f64` solution against 8 backward and 12 forward steps in 256
+/// bits. The unit is 2⁻⁵² times the norm of the point times a condition number.
 ///
-/// The condition is (1 + |argument|)·max(1, |ε|·rate·norm). The argument (T, v or N) of a solution
-/// is rounded, and large points are near poles. The rate is 1 for systems without coefficients.
+/// This number is (1 + |argument|)·max(1, |ε|·rate·norm), because the argument is rounded, and
+/// large points are near poles. `rate` is the size of the coefficients.
 pub(crate) fn ulps<M>(
     map: M,
     case: &Rounded,

@@ -105,7 +105,6 @@ fn special_cases_are_the_integrals_of_e1_and_e2() {
         let scaled = int(4) * eps.square() * two[0];
         assert_close(&e7::integral_h(&int(-1), &start, &eps), &scaled, 74, "H2");
         assert!(e7::integral_k(&int(-1), &start, &eps).is_err());
-        // At ξ = 1 and ξ = −1 the bracket is −P of the maps of E1 and E2.
         let negated = E1.bracket_P(&start, eps).map(|value| -value);
         assert_same(&e7::bracket_of_h(&int(1), &start, &eps), &negated);
         let negated = E2.bracket_P(&start, eps).map(|value| -value);

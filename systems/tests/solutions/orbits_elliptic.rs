@@ -10,7 +10,7 @@ use crate::solutions::exact_orbits::{
 };
 use crate::solutions::measure::assert_close;
 
-/// Returns cases with all signs on both branches. Some have xy = 0, and some are near |εz| = 1.
+/// Returns cases on both branches with all signs of x, y, z and ε, also near |εz| = 1.
 fn more() -> Vec<Case> {
     let mut all = Vec::new();
     let coordinates =

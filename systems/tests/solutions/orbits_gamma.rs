@@ -1,4 +1,4 @@
-//! Compares the solutions of the maps of E7 and E8 by Γ and ψ with exact orbits.
+//! Compares exact orbits of the maps of E7 and E8 with solutions in terms of Γ and ψ.
 
 use kahan_systems::special::Float256;
 use kahan_systems::{E7, E8, e7, e8};

@@ -24,7 +24,7 @@ impl Random {
     }
 }
 
-/// Asserts that each error is at most `bound` units of 2⁻⁵² of the larger of the value and `floor`.
+/// Asserts that each error is at most bound·2⁻⁵²·max(|value|, `floor`).
 fn assert_bounded<A: Copy + core::fmt::Debug>(
     what: &str,
     bound: f64,

@@ -144,8 +144,8 @@ fn theta_functions() {
 fn check_theta(z: &str, q: &str, expected: [&str; 4]) {
     let value = theta(&number(z), &number(q));
     for (value, expected) in [value.one, value.two, value.three, value.four].iter().zip(expected) {
-        // Near a zero of a theta function, digits are relative to the terms of the series, of
-        // size 1.
+        // The absolute error is tested, because the relative error is large near a zero of a theta
+        // function.
         let error = (*value - number(expected)).abs();
         assert!(error < Float256::from_int(10).power(-DIGITS), "{value} where {expected} is expected");
     }

@@ -1,7 +1,7 @@
 //! Rational functions over ℚ with expanded numerators and factored denominators.
 //!
-//! A function is zero exactly if its numerator has no terms. No gcd is computed. An operation
-//! beyond the budget returns `None`, and so do all operations on this result.
+//! A function is zero exactly if its numerator has no terms. No gcd is computed. All operations
+//! together have one [`Budget`], and an operation beyond it returns `None`.
 
 use std::cell::RefCell;
 
@@ -85,7 +85,8 @@ impl Functions {
     }
 
     /// Cancels factors of `below` in `numerator`, and appends the factors that remain to
-    /// `denominator`. Only factors with as many terms as `numerator` are tried.
+    /// `denominator`. Only factors with as many terms as `numerator` are tried, so common ones may
+    /// remain.
     fn cancel(
         &self,
         numerator: &mut Polynomial,

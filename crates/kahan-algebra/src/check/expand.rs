@@ -3,8 +3,8 @@
 //! The numerator p is a polynomial in states and parameters, and q contains no state. Limits on
 //! sizes bound compile times. The caller checks the degree of the result.
 //!
-//! The [written form](crate::subexpressions) is stored beside p/q, unless a name, a leading term or
-//! a divisor cancels in p/q.
+//! The [expression as written](crate::subexpressions) is stored beside p/q. It is dropped if
+//! cancellation has removed a variable, the terms of highest degree or a divisor from p/q.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;

@@ -256,8 +256,8 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports site parameters that are undefined beyond an end of the chain. A term with a state at
-/// the same site or farther out is 0 there, so it is allowed.
+/// Reports site parameters that are undefined beyond an end of the chain. States beyond an end are
+/// 0, so a term that contains a state at the same site or farther out is allowed.
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =

@@ -212,7 +212,7 @@ impl Scope {
         nearest(name, &candidates).cloned()
     }
 
-    /// Reports unused parameters of the header. Initial values of a lift also use parameters.
+    /// Reports unused parameters of the header, unless initial values of a lift may use them.
     pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
         let unread = block.lift.is_some()
             || block.equations.iter().any(|equation| equation.value.is_none())

@@ -194,9 +194,9 @@ impl LineWriter<'_> {
         self.multiple(None, component.numerator(), component.denominator())
     }
 
-    /// Writes p/q or ε·p/q for p = `above` and q = `below`. The numerator is a sum Σ cₖ·pₖ of
-    /// integer polynomials pₖ with prepared coefficients cₖ, which include the factor 1/q unless q
-    /// depends on the site.
+    /// Writes p/q or ε·p/q for p = `above` and q = `below`. The numerator p is written as Σ cₖ·pₖ
+    /// with integer polynomials pₖ and prepared constants cₖ. If q is equal at all sites, cₖ
+    /// includes 1/q.
     fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
         let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
         let one = Polynomial::one();

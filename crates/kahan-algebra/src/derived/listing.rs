@@ -16,11 +16,11 @@ pub struct StepListing {
     pub constants: Vec<String>,
     /// The operations that compute numerators and reciprocals.
     pub kernel: Vec<String>,
-    /// The name of the reciprocal of each component. `None` for components without a division.
+    /// For each component, the reciprocal that multiplies its numerator. `None` without division.
     pub reciprocals: Vec<Option<String>>,
     /// The formulas of x̃ by component.
     pub next: Vec<String>,
-    /// The value of [`StepPlan::holds_to`].
+    /// The largest tested ‖εf′‖∞ up to which the step is accurate.
     pub holds_to: u32,
 }
 

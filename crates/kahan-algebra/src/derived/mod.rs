@@ -40,8 +40,8 @@ pub struct Derived {
     /// The plan of the map before common factors are cancelled. Numerators come first, then the
     /// common denominator. `None` if the budget is exceeded.
     pub rational_map: Option<Plan>,
-    /// The plan of the reduced map. Numerators come first, then the denominator. `None` if no
-    /// factor with states was divided out.
+    /// The plan of the reduced map. Numerators come first, then the denominator. `None` if
+    /// numerators and denominator of the map have no common factor that contains a state.
     pub reduced_map: Option<Plan>,
     /// The plan of all unconditional integrals.
     pub integrals: Plan,
@@ -115,14 +115,14 @@ struct PlannedField {
 }
 
 impl PlannedField {
-    /// Returns the field in which constant subexpressions are parameters. Returns the unchanged
-    /// field if a factor of its map would no longer cancel.
+    /// Replaces subexpressions without states by parameters. Returns the field unchanged if a
+    /// common factor of its map would then no longer cancel.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return PlannedField { with_constants: with, map: map.cloned() };
         };
-        // If the field depends on ε, ε² becomes a parameter, so degrees in ε cannot be compared.
+        // If the field depends on ε, ε² becomes a parameter, so degrees in ε are not compared.
         let counts_eps = !system.field.depends_on_eps();
         let is_as_short = |own: &RationalMap| {
             let (symbols, others) = (&with.field.symbols, &system.field.symbols);
@@ -220,7 +220,7 @@ impl Derived {
         })
     }
 
-    /// Returns the plan of the field's bilinear form Q(x,y). The second states are y.
+    /// Returns the plan of the field's bilinear form Q(x,y), with y as [`Symbol::SecondState`].
     pub fn bilinear(&self) -> &Plan {
         self.made.bilinear.get_or_init(|| self.over_divisors(bilinear_form))
     }
@@ -280,12 +280,12 @@ impl Derived {
     }
 
     /// Returns the plan of (∂x̃/∂x)·v for a tangent vector v, given x, v and x̃. Returns `None` if
-    /// the step has no straight-line plan, if a common factor was divided out of the map, or if all
-    /// short plans lose digits.
+    /// the step has no straight-line plan, if a common factor was divided out of the map, or if
+    /// every plan of limited size is inaccurate.
     ///
-    /// The symbols are those of the [variational](System::variational) field. States are x and v,
-    /// and the first half of the second states is x̃. The first call costs about as much as
-    /// planning a step.
+    /// The symbols are those of the [variational](System::variational) field. Its states are x and
+    /// v, and x̃ is the first half of the symbols [`Symbol::SecondState`]. The first call costs
+    /// about as much as planning a step.
     pub fn tangent_map(&self) -> Option<(&Symbols, &Plan)> {
         let plan = || {
             let System { field, kept, .. } = self.system.variational();

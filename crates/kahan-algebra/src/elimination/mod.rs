@@ -1,8 +1,8 @@
-//! Plans the sparse elimination of A(x,ε), once for all states.
+//! Plans the sparse elimination of A(x,ε) = I − εf′(x), once for every point x.
 //!
 //! The result lists the positions of all entries, fill-in included. The pivots are the diagonal
-//! entries, which begin as 1 − ε ∂fᵢ/∂xᵢ. Rows are never exchanged, so callers must check the
-//! pivots. The blocks of a triangular field are eliminated one after another.
+//! entries, which begin as 1 − ε ∂fᵢ/∂xᵢ. Rows are never exchanged, so callers must check that no
+//! pivot is too small. The blocks of a triangular field are eliminated one after another.
 
 mod graph;
 mod orders;
@@ -26,7 +26,7 @@ pub const MOST_EXPANDED: usize = 8;
 /// The most variables that a block of `kahan!` may have in compiled code.
 pub const MOST_VARIABLES: usize = 200;
 const MOST_PARAMETERS: usize = 2000;
-/// The most nonzero entries of f′ in a block of `kahan!` with many variables.
+/// The most nonzero entries of f′ in a block of `kahan!` with more than `MOST_EXPANDED` variables.
 const MOST_SLOPES: usize = 1500;
 
 /// The most multiplications of an elimination that is written as straight-line code, not as loops.
@@ -44,13 +44,13 @@ pub struct Couplings {
     pub columns: Vec<usize>,
     /// The index after the last row of each block.
     pub blocks: Vec<usize>,
-    /// The position of each output of [`Self::slopes`] among the entries.
+    /// For each output of [`Self::slopes`], the index of its entry in [`Self::columns`].
     pub places: Vec<usize>,
     /// The plan of the entries of f′(x) that are not identically zero.
     pub slopes: Plan,
 }
 
-/// The positions at which the parts of a row begin and end.
+/// Indices into the entries: the beginning, own block, diagonal and end of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
     /// The position of the first entry. Entries before `own` are in columns of earlier blocks.
@@ -63,8 +63,8 @@ pub struct Row {
     pub end: usize,
 }
 
-/// Returns the diagnostic for too many parameters. A derived `PartialEq` nests one expression for
-/// each parameter, and deep nesting overflows the stack of rustc.
+/// Returns the diagnostic for too many parameters. The derived `PartialEq` of a generated struct
+/// nests one expression for each field, and deep nesting overflows the stack of rustc.
 #[must_use]
 pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
     (parameters > MOST_PARAMETERS).then(|| {
@@ -96,8 +96,8 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// Returns the entries of A for a field with Jacobian `slopes`, whose entries may contain the
-    /// subexpressions `values`.
+    /// Returns the entries of A for a field with Jacobian `slopes`. The entries of `slopes` may
+    /// contain the named subexpressions `values`.
     #[must_use]
     pub(crate) fn of(values: &Subexpressions, slopes: &SparseRows) -> Self {
         let depends: Vec<Vec<usize>> =

@@ -64,9 +64,9 @@ fn reverse_cuthill_mckee(neighbours: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Returns the minimum degree order. A variable with the fewest neighbours comes next (H. M.
-/// Markowitz, Management Sci. 3 (1957) 255–269). If several variables have equally few neighbours,
-/// the one with the shortest chain of pivots comes first.
+/// Returns the minimum degree order. The next variable is one with the fewest neighbours (H. M.
+/// Markowitz, Management Sci. 3 (1957) 255–269). Among these, the one whose pivot depends on the
+/// shortest chain of other pivots comes first.
 fn minimum_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut around = neighbours.to_vec();
     let mut chain_lengths = vec![0_usize; around.len()];

@@ -1,11 +1,11 @@
 //! Reduces sums over all sites of a chain to finitely many terms.
 //!
 //! Each term is written relative to a site in the middle of a long chain. The *extent* of a term is
-//! the interval of sites that the term needs. A sum vanishes in all chains if the terms of each
-//! extent cancel separately.
+//! the smallest interval that contains its sites. A sum over the sites vanishes in all chains if
+//! the terms of each extent cancel separately.
 //!
-//! For the proof, let S be the sum over a chain. Subtract S over the two chains without one end
-//! site, and add S over the chain without both. Exactly the terms that need both end sites remain.
+//! Proof: let S(a, b) be the sum over the chain of the sites a to b. In S(a, b) − S(a+1, b) − S(a,
+//! b−1) + S(a+1, b−1), exactly the terms with extent [a, b] remain.
 
 use kahan_syntax::syntax::Boundary;
 
@@ -84,8 +84,8 @@ impl<'a> MiddleSite<'a> {
         SiteRange { first: site, last: site }
     }
 
-    /// Extends `place` to the smallest range that also contains the sites of a monomial. In a ring,
-    /// returns `place`.
+    /// Returns the smallest range that contains the range `place` and the sites of a monomial. In a
+    /// ring, where no site is missing, returns `place`.
     pub(super) fn extent(&self, monomial: &Monomial, place: SiteRange) -> SiteRange {
         if self.chain.family.boundary == Boundary::Periodic {
             return place;

@@ -1,5 +1,5 @@
-//! Finds a constant antisymmetric matrix K with ẋ = K∇H. Its entries depend only on the two arrays
-//! and on the distance of the two sites.
+//! Finds a constant antisymmetric matrix K with ẋ = K∇H. The entry of K for two states depends only
+//! on their arrays and on the distance of their sites.
 //!
 //! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f. This follows from x̃ − x
 //! = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
@@ -86,8 +86,8 @@ struct Term {
 struct RowTerm {
     monomial: Monomial,
     extent: SiteRange,
-    /// The index of the unknown entry of K that multiplies the term. Terms of ẋ have the number of
-    /// all unknowns instead.
+    /// The index of the unknown entry of K that multiplies the term. In terms of ẋ, which have no
+    /// unknown factor, this is the number of unknowns.
     unknown: usize,
     coefficient: Polynomial,
 }
@@ -126,8 +126,8 @@ pub(super) fn find_unmatched_term(
             }
         }
     }
-    // In short chains, terms whose sites do not exist are missing. Terms with equal monomials must
-    // therefore cancel separately for each range of sites.
+    // In short chains, some sites and the terms that contain them are missing. Therefore terms with
+    // equal monomials must cancel within each range of sites.
     for (array, mut terms) in rows.into_iter().enumerate() {
         let order = |term: &RowTerm| (term.extent.sites(), term.extent.first);
         terms.sort_by_key(order);
@@ -141,7 +141,7 @@ pub(super) fn find_unmatched_term(
     Ok(None)
 }
 
-/// Returns ∂H/∂x for each array at the middle site, times the divisor of H.
+/// Returns the derivatives of H by the states of the middle site, multiplied by the divisor of H.
 fn gradient(
     middle: &MiddleSite<'_>,
     hamiltonian: &SiteSum,

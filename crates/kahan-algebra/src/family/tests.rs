@@ -218,7 +218,7 @@ fn constant_stencils_are_found_where_they_are() {
     };
     let force = "k*(q[i+1] - 2*q[i] + q[i-1]) + (q[i+1] - q[i])^2 - (q[i] - q[i-1])^2";
     assert!(holds(&oscillators("periodic", force)));
-    // The first site lacks the energy of the spring to the left wall.
+    // Here H lacks the energy of the spring from the first site to the left wall.
     assert!(!holds(&oscillators("open", force)));
     assert!(!holds(&oscillators("periodic", &force.replace("2*q[i]", "3*q[i]"))));
 }

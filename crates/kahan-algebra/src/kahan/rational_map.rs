@@ -1,9 +1,10 @@
 //! Derives the map as rational functions x̃ᵢ = Nᵢ/D, and the reduced increments x̃ᵢ − xᵢ = 2ε nᵢ/d.
 //!
-//! Let the field be pᵢ/qᵢ, Â = diag(q)·A and D̂ = det Â. By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p =
-//! n̂/D̂, where n̂ⱼ is det Â with column j replaced by p. The numerators of x̃ are N̂ = xD̂ + 2εn̂.
-//! At ε = 0, D̂ = ∏q, so ε does not divide D̂. Hence N̂ and D̂ have the common factors of n̂₁ … n̂ₙ
-//! and D̂, whose gcd is divided out. A pole where only the gcd vanishes is removable.
+//! Let the field be pᵢ/qᵢ, A the matrix of Kahan's method, Â = diag(q)·A and D̂ = det Â. By
+//! Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, where n̂ⱼ is det Â with column j replaced by p.
+//! Hence x̃ = N̂/D̂ with N̂ = xD̂ + 2εn̂, and N = N̂/∏q, D = D̂/∏q. At ε = 0, D̂ = ∏q, so ε does
+//! not divide D̂. Hence N̂ and D̂ have the common factors of n̂₁ … n̂ₙ and D̂. Division by their
+//! gcd gives n and d. A pole where only the gcd vanishes is removable.
 
 use kahan_syntax::rational::Rational;
 
@@ -24,12 +25,12 @@ const WORK_BUDGET: u64 = 40_000;
 /// The map of a field as expanded polynomials, if they are not too large.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RationalMap {
-    /// The numerators N̂ of x̃ over [`Self::denominator`].
+    /// The polynomials N̂ with x̃ = N̂/D̂.
     pub numerators: Vec<Polynomial>,
     /// The denominator D̂ = ∏q · det A.
     pub denominator: Polynomial,
-    /// The product ∏q of the denominators of the field. Dividing [`Self::numerators`] and
-    /// [`Self::denominator`] by this product gives the N and D of the map N/D with D = det A.
+    /// The product ∏q of the denominators of the field. The map is x̃ = N/D with N = N̂/∏q and D =
+    /// D̂/∏q = det A.
     pub divisor: Polynomial,
     /// The map in lowest terms.
     pub reduced: Reduced,

@@ -2,10 +2,10 @@
 //! pivoting.
 //!
 //! Digits are lost if leading terms of minors cancel, or if large entries of εf′ stand beside a
-//! pivot of 1. Each form of a step runs in floats of 30 bits, at seeded points with ‖εf′‖∞ near 1,
-//! 10, 100 and 1000. Elimination with pivoting also runs in 30 bits, and in 53 bits as reference.
-//! Errors are multiples of the unit roundoff u. Limits for errors are multiples of those of
-//! elimination.
+//! pivot of 1. Each candidate formula for a step runs in floats of 30 bits, at seeded points with
+//! ‖εf′‖∞ near 1, 10, 100 and 1000. Elimination with pivoting also runs in 30 bits, and in 53 bits
+//! as reference. Errors are multiples of the unit roundoff u. The limit for the errors of a step is
+//! a multiple of those of elimination.
 
 mod float_plan;
 mod sample_step;
@@ -31,15 +31,15 @@ const SECOND_ROUND_POINTS: usize = 100;
 const MEDIAN_FACTOR: f64 = 30.0;
 /// Median errors of elimination are raised to at least this multiple of the unit roundoff.
 const LEAST_MEDIAN_ERROR: f64 = 10.0;
-/// The limit for the ratio of a step's error to that of elimination at the quantile `TAIL`.
+/// The limit for a step's error, as a multiple of that of elimination, at `TAIL_QUANTILE`.
 const TAIL_FACTOR: f64 = 60.0;
-/// Errors up to this multiple of the unit roundoff are accepted at the quantile `TAIL`.
+/// Errors up to this multiple of the unit roundoff are accepted at the quantile `TAIL_QUANTILE`.
 const LEAST_TAIL_ERROR: f64 = 1000.0;
 /// A step is refused if its errors exceed their limits by this factor and another step exists.
 const REFUSAL_RATIO: f64 = 1.5;
 /// A step can replace a refused step if its errors are at most this fraction of their limits.
 const REPLACEMENT_RATIO: f64 = 1.0 / 6.0;
-/// A second round is skipped if errors are likely below this fraction of their limits.
+/// The second round is skipped if the largest likely ratio of errors to their limits is below this.
 const CLEARLY_WITHIN_RATIO: f64 = 0.2;
 /// A second round is skipped if the errors of the first round exceed their limits by this factor.
 const CLEARLY_BEYOND_RATIO: f64 = 3.0 * REFUSAL_RATIO;
@@ -58,7 +58,7 @@ pub(super) struct Accuracy<'a> {
     many: OnceCell<Vec<Vec<SampleStep>>>,
 }
 
-/// The ratio of a step's errors to their limit for each size.
+/// The ratio of a step's errors to their limit, for each size ‖εf′‖∞ in `STEP_SIZES`.
 #[derive(Debug)]
 pub(super) struct AccuracyLoss(Vec<Ratio>);
 
@@ -93,8 +93,8 @@ impl<'a> Accuracy<'a> {
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= REPLACEMENT_RATIO)
     }
 
-    /// Returns whether a plan that maps x, v and x̃ to ṽ is accurate enough. The sample points must
-    /// be those of the variational field.
+    /// Returns whether a plan that maps x, v and x̃ to the image of the tangent vector v is
+    /// accurate enough. The sample points must be those of the variational field.
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
         let program = FloatPlan::of(carry);
         let n = carry.outputs.len();
@@ -175,7 +175,7 @@ fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     let own = sorted_by(trials.iter().map(error), f64::total_cmp);
     let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
     let band = MEDIAN_BAND_FACTOR / (trials.len() as f64).sqrt();
-    // The quantile of the step at q + `shift` is compared with that of elimination at q − `shift`.
+    // A positive `shift` gives a pessimistic ratio.
     let ratio = |shift: f64| {
         let of_medians = quantile(&own, 0.5 + shift)
             / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(LEAST_MEDIAN_ERROR));

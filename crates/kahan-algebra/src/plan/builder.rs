@@ -13,7 +13,7 @@ use super::{Input, Operation, Plan};
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
     builder: Builder<Input, Rational>,
-    /// The number of terms of polynomials that were examined so far.
+    /// The number of polynomial terms examined so far, which `MOST_LOOKED_AT` limits.
     pub(super) looked_at: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Chooses the form of a step.
+//! Chooses the formulas by which a step is computed.
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
@@ -29,8 +29,8 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form serves many orbits in SIMD lanes. In a single orbit, a form whose steps
-        // wait less for the previous step may be faster.
+        // The formula with the fewest operations is best for many orbits in SIMD lanes. In a single
+        // orbit, one with a shorter dependence chain from step to step may be faster.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);

@@ -1,5 +1,5 @@
 //! Plans for fields with very many products of two variables. Sums have a fixed order, so a loop
-//! over packed coefficients yields equal bits.
+//! over packed coefficients and straight-line code give the same bits.
 
 use kahan_syntax::rational::Rational;
 
@@ -13,7 +13,7 @@ const FEWEST_VARIABLES: usize = 10;
 /// A dense field has at least this many products of two variables. With fewer, straight-line code
 /// is faster.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field, at least one in this many products has a nonzero coefficient.
+/// In a dense field, at least 1/`PRODUCTS_PER_NONZERO` of all products xⱼxₖ occur.
 const PRODUCTS_PER_NONZERO: usize = 10;
 
 #[derive(Clone, Debug)]

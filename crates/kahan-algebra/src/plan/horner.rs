@@ -1,4 +1,4 @@
-//! Writes polynomials in nested (Horner) form. Steps and claims have other forms.
+//! Writes polynomials in nested (Horner) form, for all plans except those of steps and claims.
 //!
 //! After every choice of a variable, the remaining terms are examined again. A budget limits the
 //! number of examined terms in a plan. Beyond the budget, all variables are factored out at once.
@@ -12,7 +12,7 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use super::{Node, PlanBuilder};
 
-/// The most terms examined to factor out one variable at a time.
+/// Beyond this number of examined terms, variables are not factored out one at a time.
 pub(super) const MOST_LOOKED_AT: usize = 1_000_000;
 
 impl PlanBuilder {
@@ -102,8 +102,8 @@ impl PlanBuilder {
     }
 }
 
-/// Returns the last variable that occurs in the most terms. Returns `None` if no variable occurs in
-/// two terms.
+/// Returns the variable that occurs in the most terms, the last one if there are several. Returns
+/// `None` if no variable occurs in two terms.
 fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
     let counts = polynomial.frequencies().into_iter().filter(|&(_, count)| count > 1);
     counts.max_by_key(|&(variable, count)| (count, variable)).map(|(variable, _)| variable)

@@ -22,24 +22,26 @@
 //!
 //! Each optimisation was disabled separately for 85 fields: the catalog, random fields of two to
 //! six variables, and four fields of up to eight. The column *steps* counts the steps that change.
-//! The other columns give the ratio of times without and with the optimisation, as mean and maximum
-//! over these steps. *One orbit* and *columns* are machine code of the runtime. *Compiled* is one
-//! orbit by the macro, for the catalog and 20 random fields.
+//! The other columns give the ratio of a step's time without the optimisation to the time with it,
+//! as mean and maximum over these steps. *One orbit* and *columns* (many orbits in SIMD lanes) are
+//! machine code of the runtime. *Compiled* is one orbit by the macro, for the catalog and 20 random
+//! fields.
 //!
 //! | left out | steps | one orbit | columns | compiled | compiled, AVX-512 |
 //! |---|--:|--:|--:|--:|--:|
 //! | determinants of A (`forms::minors`) | 26 | 1.12; 2.0 | 1.22; 2.3 | | |
 //! | several ways to scale by ε (`writing::scaling`) | 50 | 1.04; 1.45 | 1.05; 1.35 | | |
-//! | all forms of one orbit ([`StepPlan::general`]) | 31 | 1.06; 1.28 | 1.00; 1.01 | | |
+//! | all forms for one orbit ([`StepPlan::general`]) | 31 | 1.06; 1.28 | 1.00; 1.01 | | |
 //! | division by the time step (`forms::inverse`) | 28 | 1.06; 1.25 | 1.00; 1.02 | | |
 //! | a second division (`forms::candidates`) | 2 | 1.05; 1.08 | 1.00; 1.00 | 1.04; 1.12 | 1.27; 1.47 |
 //! | reuse of sums (`writing::writer::reuse`) | 44 | 1.00; 1.43 | 1.00; 1.35 | | |
 //! | signs of constants (`step::signs`) | 27 | 1.00; 1.01 | 1.00; 1.02 | 1.05; 1.43 | 1.01; 1.12 |
 //! | signs of reciprocals (`step::reciprocals`) | 30 | 1.01; 1.05 | 0.99; 1.02 | 1.02; 1.56 | 1.01; 1.15 |
+//!
 //! Two more optimisations were dropped. Writing (2ε)x as εx + εx changed 27 steps with means near
 //! 1.00. A division for each component in place of a shared reciprocal changed 6 steps. Only fields
 //! of one variable use such a division (`PlanBuilder::increment`). Ensembles would take twice the
-//! time, because two divisions are the bottleneck in SIMD lanes.
+//! time, because divisions are the bottleneck in SIMD lanes.
 
 mod operation;
 

@@ -50,8 +50,8 @@ impl Subexpressions {
         self.put_in(&plan, |variable| self.place(variable).ok_or(variable), &|variable| variable)
     }
 
-    /// Replaces each variable of a plan by the subexpression or variable from `value`. The function
-    /// `rename` applies inside subexpressions.
+    /// Replaces each variable v of a plan by `value(v)`, which is the index of a subexpression or
+    /// another variable. Variables inside subexpressions are replaced by `rename`.
     fn put_in(
         &self,
         plan: &Plan,
@@ -87,8 +87,8 @@ impl FieldWithSubexpressions {
 }
 
 impl FieldWithConstants {
-    /// Inserts subexpressions into a plan for one site. The function `constant` returns the
-    /// subexpression of a variable, and `rename` renames other variables.
+    /// Inserts subexpressions into a plan for one site. For each variable, `constant` returns its
+    /// subexpression or another variable. `rename` replaces variables in subexpressions.
     pub(crate) fn put_into_line(
         &self,
         plan: &Plan,

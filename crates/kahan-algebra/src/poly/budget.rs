@@ -1,8 +1,8 @@
 //! Sums, products and powers that stop before they become too large.
 //!
-//! A [`Budget`] limits the number of terms in each result, and the total work. Multiplications of
-//! terms are work, weighted by the lengths of coefficients in machine words. Additions are work,
-//! too. Powers with too many predicted terms are refused before any work. Every `Ok` is exact.
+//! A [`Budget`] limits the number of terms in each result, and the total work. Work counts
+//! additions of terms, and multiplications weighted by the lengths of coefficients. Powers with too
+//! many predicted terms are refused before any work. Every `Ok` is exact.
 
 use std::error::Error;
 use std::fmt;

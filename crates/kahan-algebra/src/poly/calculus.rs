@@ -53,8 +53,8 @@ impl Polynomial {
             .expect("total degrees stay below 2^24")
     }
 
-    /// Returns bᵈ times the value of the polynomial at `variable` = a/b. For a polynomial Σ cₖ
-    /// `variable`ᵏ, this is Σ cₖ aᵏ bᵈ⁻ᵏ. The exponent d must be at least the degree.
+    /// Substitutes a/b for `variable` in Σ cₖ `variable`ᵏ and multiplies by bᵈ, which gives Σ cₖ aᵏ
+    /// bᵈ⁻ᵏ. Here d is `degree`, at least the degree in `variable`.
     ///
     /// # Errors
     /// If the budget runs out.

@@ -85,8 +85,8 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBu
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Computes the gcd of all coefficients of a and b as polynomials in the variables outside
-/// `bounds`.
+/// Computes the gcd of all coefficients of a and b, taken as polynomials in the variables that
+/// `bounds` does not contain.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
@@ -125,8 +125,8 @@ fn gcd_in_main_variable(
 /// `bound`.
 ///
 /// The method is Algorithm C of Knuth, The Art of Computer Programming 4.6.1. The gcd divides every
-/// member of the sequence over the field of coefficients. If the primitive part of a member divides
-/// a and b, it is therefore the gcd.
+/// remainder up to a factor without `main`. If the primitive part of a remainder divides a and b,
+/// it is therefore the gcd.
 fn subresultants(
     a: &Polynomial,
     b: &Polynomial,
@@ -157,8 +157,8 @@ fn subresultants(
         let next = remainder.div_within(&divisor, budget)?.expect("subresultants divide exactly");
         upper = std::mem::replace(&mut lower, next.primitive_part());
         lead = upper.leading_coefficient_in(main);
-        // Replaces Knuth's h by g^δ h^(1−δ) up to a rational factor. Here δ is the difference of
-        // degrees.
+        // Replaces `scale`, Knuth's h, by g^δ h^(1−δ) up to a rational factor, for g = `lead` and
+        // δ = `gap`.
         if gap > 0 {
             let numerator = lead.pow_within(gap, budget)?;
             let denominator = scale.pow_within(gap - 1, budget)?;

@@ -6,9 +6,10 @@
 //!
 //! # Proof
 //!
-//! Let g be the primitive gcd of primitive a and integer b. By Gauss's lemma a = g·h with integer
-//! h, so lc(a) = lc(g)·lc(h) for leading coefficients in v. If the image of a keeps its degree in
-//! v, the image of g keeps its degree, too. The image of g divides both images.
+//! Let a and b have integer coefficients, a primitive, and the primitive gcd g. By Gauss's lemma
+//! a = g·h with integer coefficients, so lc(a) = lc(g)·lc(h) for leading coefficients in v. If a
+//! and its image have equal degree in v, so have g and its image. The image of g divides both
+//! images.
 
 use kahan_syntax::table::Table;
 
@@ -17,8 +18,8 @@ use crate::prime_field::{PrimeField, SplitMix64};
 
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
-/// Multiplying this many residues takes as long as multiplying two terms. A [`Budget`] is charged
-/// at this rate.
+/// Multiplying two terms takes as long as this many multiplications of residues. A [`Budget`] is
+/// charged at this rate.
 pub const RESIDUES_PER_TERM: u64 = 32;
 
 type Univariate = Vec<u64>;

@@ -143,7 +143,7 @@ impl Ord for Monomial {
             return if self.degree < other.degree { Ordering::Less } else { Ordering::Greater };
         }
         let (left, right) = (self.powers(), other.powers());
-        // With equal degrees, neither list of powers is a proper prefix of the other.
+        // Both degrees are equal, so the lists differ at some index within both.
         let mut index = 0;
         while index < left.len() && index < right.len() {
             let ((v, e), (w, f)): (Power, Power) = (left[index], right[index]);

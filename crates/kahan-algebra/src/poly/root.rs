@@ -10,8 +10,8 @@ impl Polynomial {
     /// Returns the square root with positive leading coefficient. Returns `None` if the polynomial
     /// is not a square. The cost is at most that of multiplying the root by the polynomial.
     ///
-    /// The highest term of polynomial − r² determines the next term of the root r. A root with more
-    /// terms than its square is not found. The shortest known root of this kind has 13 terms.
+    /// The highest term of polynomial − r² determines the next term of the root r. Roots with more
+    /// terms than their square are not found; known ones have at least 13 terms.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
         let (monomial, coefficient) = (half_exponents(monomial)?, rational_root(coefficient)?);

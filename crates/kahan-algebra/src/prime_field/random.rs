@@ -24,9 +24,9 @@ pub trait Random {
 
 /// The hash function SHAKE256 (FIPS 202), whose digest serves as random numbers.
 ///
-/// A generator with a seed of 64 bits has at most 2⁶⁴ sequences of points, so error probabilities
-/// are at least 2⁻⁶⁴. An author could search for a text whose points satisfy a false claim. Against
-/// SHAKE256, the best known attack is to try texts.
+/// A generator with a seed of 64 bits would not suffice: it has only 2⁶⁴ sequences of points, so
+/// error probabilities would be at least 2⁻⁶⁴. An author could also compute a text whose points
+/// satisfy a false claim. Against SHAKE256, no better attack is known than to try texts.
 ///
 /// A permutation yields 17 numbers in about a microsecond. Unoptimised code takes tens of
 /// microseconds.
@@ -36,8 +36,7 @@ pub struct Shake256 {
     drawn: usize,
 }
 
-/// The number of 64-bit words of the state that are read and written. The other 512 bits stay
-/// secret.
+/// The number of 64-bit words of the state that are read and written directly; 512 bits are not.
 const RATE: usize = 25 - 512 / 64;
 
 impl Shake256 {

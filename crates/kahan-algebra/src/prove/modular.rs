@@ -62,8 +62,8 @@ fn exact_check(scheme: &FieldPlans, claim: &Claim, samples: &mut Samples<'_>) ->
             return Some(evidence.holds);
         }
     }
-    // If all small points are zeros of a divisor, there is no counterexample, and the modular proof
-    // stands.
+    // `NoPoint` means that a divisor is zero at all small points. There is no counterexample then,
+    // and the proof modulo primes stands.
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 

@@ -8,8 +8,8 @@
 //! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
 //! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
 //!
-//! Since ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the invariance is J P Jᵀ = P(x̃) with J = ∂x̃/∂x. Derivatives
-//! are computed by dual numbers.
+//! Here Â is A with each row multiplied by the denominator of its equation. Since ∂x̃/∂x = Â(x,ε)⁻¹
+//! Â(x̃,−ε), the invariance is J P Jᵀ = P(x̃) with J = ∂x̃/∂x.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;

@@ -2,9 +2,9 @@
 //!
 //! # Proof
 //!
-//! Let F/G be a residual with integer polynomials F and G in states, parameters and ε. If a claim
-//! is false, some F is nonzero. A point is a random prime p between 2⁶⁰ and 2⁶¹ with random
-//! residues. A false claim passes only if
+//! Let F/G be the left side minus the right side of an equation of the claim, with integer
+//! polynomials F and G in states, parameters and ε. If a claim is false, some F is nonzero. A point
+//! is a random prime p between 2⁶⁰ and 2⁶¹ with random residues. A false claim passes only if
 //!
 //! * the prime p divides every coefficient of F: with b = log₂ ‖F‖₁, at most b/60 primes do so, out
 //!   of more than 2⁵⁴ (about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
@@ -13,8 +13,8 @@
 //!
 //! A false claim thus passes at one point with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰.
 //! If a step divides by zero, another point is drawn, up to r = 16 times (`MOST_DRAWS`). A step
-//! then passes with probability at most r·e. Fewer than r steps are skipped where the claim is
-//! undefined.
+//! then passes with probability at most r·e. Steps at which the claim is undefined are skipped, at
+//! most r − 1 of them.
 //!
 //! With k points, a false claim is proved only if k of its first k + r − 1 independent steps pass.
 //! The probability is at most binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. The number k ≥ 3 is chosen

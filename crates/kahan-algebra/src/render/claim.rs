@@ -54,7 +54,7 @@ pub fn condition_text(system: &System, claim: &Claim) -> String {
     condition_statement(system, claim, &Text)
 }
 
-/// Returns the relations behind `when`. A relation for a number is printed as `name = number`.
+/// Returns the relations behind `when`. A fixed value of a name is printed as `name = number`.
 #[must_use]
 pub fn condition_statement(system: &System, claim: &Claim, notation: &dyn Notation) -> String {
     let symbols = &system.field.symbols;

@@ -1,4 +1,4 @@
-//! Compares how many digits plans lose with how many an evaluation of the text loses.
+//! Compares the rounding errors of plans with those of direct evaluation of the text.
 //!
 //! Each object is computed from the text in 24 runs with random rounding up or down. Let E be the
 //! largest error of these runs, but at least half an ulp. The error of a plan must be at most 8 E
@@ -49,7 +49,7 @@ impl Random {
         Random { draws, literals: RefCell::default() }
     }
 
-    /// Returns `nearest` or its neighbour on the side of `rest`, at random. Exact results stay.
+    /// Returns `nearest` or the next float in the direction of `rest` ≠ 0, at random.
     fn rounded(&self, nearest: f64, rest: f64) -> f64 {
         let other = if rest > 0.0 {
             nearest.next_up()
@@ -180,7 +180,7 @@ fn eliminated<A: Arithmetic<Constant = Rational>>(
     Some(solution)
 }
 
-/// An exact number, as a float and the small difference from it.
+/// An exact number as the sum of a float and a small correction.
 type Double = (f64, f64);
 
 fn errors(floats: &[f64], exact: &[Double]) -> Vec<f64> {
@@ -316,7 +316,7 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
 
 struct Draw {
     random: SplitMix64,
-    /// The distances between numbers that are drawn near each other.
+    /// The distances at which nearly equal parameters are drawn.
     nearness: &'static [f64],
 }
 
@@ -443,7 +443,7 @@ const EXAMPLES: [Example; 5] = [
         text: "xdot = p*(x - 1)*(y - 1); ydot = x - y;",
         parameters: |draw| vec![("p", 1e9 * draw.between(0.5, 1.0))],
     },
-    // The product of both differences is below half an ulp of its expanded terms.
+    // The product (q − s)(p − q) is below half an ulp of the terms of its expansion.
     Example {
         name: "two-small-differences",
         text: "xdot = 0.1*x - x*y/(q - s) + x/(p - q); ydot = x - y;",

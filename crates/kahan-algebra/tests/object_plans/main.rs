@@ -1,5 +1,5 @@
-//! Compares the plans of all objects over ℚ with the defining formulas. Also reads the listing of a
-//! step back.
+//! Compares the plans of all objects over ℚ with the defining formulas. A printed step is also
+//! parsed and evaluated.
 
 mod digits;
 mod written;
@@ -237,8 +237,8 @@ impl Definitions<'_> {
             "step" | "general step" => next,
             "det A" => vec![determinant],
             "(N, D)" => over(determinant),
-            // The denominator is unique only up to a factor, so its value comes from the map's
-            // polynomial.
+            // The denominator is unique only up to a constant factor, so the reduced map gives its
+            // value.
             "(N, D) reduced" => {
                 let map = derived.map.as_ref().expect("there is a reduced map");
                 over(self.place.polynomial(&map.reduced.denominator))

@@ -1,4 +1,4 @@
-//! The figures of the paper and two more figures. The atlas computes the orbits that they show.
+//! Draws the figures of the paper, and two others, from orbits that the atlas computes.
 
 mod curve;
 mod heights;

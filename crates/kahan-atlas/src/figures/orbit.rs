@@ -47,8 +47,8 @@ impl Heights {
         slope(self.pairs())
     }
 
-    /// Returns the coefficient of n² in the parabola through three heights: the first, middle and
-    /// last height of the second half of the orbit.
+    /// Fits a parabola in n to the first, middle and last height of the orbit's second half, and
+    /// returns its coefficient of n².
     pub(super) fn half_second_difference(&self) -> f64 {
         let step = self.last().0 / 4;
         let (end, middle, start) = (self.last().0, self.last().0 - step, self.last().0 - 2 * step);

@@ -41,7 +41,7 @@ fn orbits(study: &Study, method: Method) -> Vec<Vec<Point>> {
     RADII.iter().map(orbit).collect()
 }
 
-/// Cuts each orbit at its first point that leaves the picture or comes near an axis.
+/// Ends each orbit before its first point with a coordinate below 0.05 or above `SHOWN`.
 fn inside(orbits: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
     let is_inside = |point: &Point| point.iter().all(|value| (0.05..=SHOWN).contains(value));
     orbits.into_iter().map(|orbit| orbit.into_iter().take_while(is_inside).collect()).collect()

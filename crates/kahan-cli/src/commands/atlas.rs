@@ -73,7 +73,7 @@ impl IndexFile {
         Ok(IndexFile { path, since })
     }
 
-    /// Returns today's date, and the time since `begin` in seconds.
+    /// Returns today's date, and the seconds since [`Self::begin`].
     pub(super) fn creation(&self) -> PageCreation {
         let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let date = now.split('T').next().unwrap_or_default().to_owned();

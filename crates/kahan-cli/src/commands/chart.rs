@@ -170,7 +170,7 @@ impl QuestionCommand for Chart {
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
-        // The first range of a chart varies fastest, but in a question the last axis does.
+        // The first range of a chart varies fastest, but the last axis of an `Over` does.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))
     }

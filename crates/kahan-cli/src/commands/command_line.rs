@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::printing::{Answer, UsageError};
 
-/// A command line that can be turned into a question to `kahan-study`, and back.
+/// A command whose arguments can be converted to its `Question` for `kahan-study`, and back.
 pub(crate) trait QuestionCommand: Args + FromArgMatches {
     type Question: PartialEq + Serialize;
 
@@ -35,8 +35,8 @@ impl CommandLine {
         CommandLine { command, words: system.to_vec() }
     }
 
-    /// Appends the options of `A` that differ from their defaults. The fields of `asked` must have
-    /// the names of the options.
+    /// Appends the options of the command `A` that differ from their defaults. Each field of
+    /// `asked` must have the name of its option.
     pub(crate) fn with_changed_options<A: Args>(self, asked: &impl Serialize) -> Self {
         let command = A::augment_args(clap::Command::new(self.command));
         let fields = json!(asked);

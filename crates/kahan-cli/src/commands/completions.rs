@@ -31,8 +31,8 @@ impl Completions {
     }
 }
 
-/// Adds the names of systems as values of SYSTEM, for completion only. If the name is wrong, the
-/// command itself says more than clap's list of names.
+/// Adds the names of systems as values of SYSTEM, for completion only. For a wrong name, the
+/// command's own error message is better than that of clap.
 fn with_system_names(command: Command) -> Command {
     let names = || PossibleValuesParser::new(all().map(|entry| entry.command).chain(["general"]));
     let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();

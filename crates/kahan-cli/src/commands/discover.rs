@@ -140,7 +140,7 @@ fn text(found: &Discovered) -> String {
     paragraphs(groups.chain(Some(claims).filter(|claims| !claims.is_empty())))
 }
 
-/// Returns the modified Hamiltonians in compact form, with definitions of the symbols in them.
+/// Returns the modified Hamiltonians, shortened by auxiliary symbols, and the symbols' definitions.
 fn modified<'a>(
     found: &Discovered,
     compact: impl Iterator<Item = &'a HamiltonianReport>,

@@ -75,7 +75,7 @@ pub(super) fn unreduced_note(name: &str, place: &str) -> String {
     )
 }
 
-/// Formats the JSON object as lines: a label, then a value, a vector or a matrix.
+/// Formats the JSON object as text: each line has a label, then a value, a vector or a matrix.
 fn readable(objects: &Value) -> String {
     let mut lines = Vec::new();
     for (key, value) in objects.as_object().into_iter().flatten() {

@@ -168,8 +168,8 @@ fn row((place, cell): (&CellKey, &Cell)) -> Vec<String> {
     ]
 }
 
-/// Formats a number of failures. After n trials without failure, the rate of failure is below 3/n
-/// with 95 % confidence.
+/// Formats a number of failures. Without failures in n trials, shows the bound 3/n of the failure
+/// rate at 95 % confidence.
 fn silently_wrong(cell: &Cell) -> String {
     match cell.silently_wrong {
         0 => format!("0, < 3/{} at 95 %", cell.trials),

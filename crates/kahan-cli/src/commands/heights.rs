@@ -82,7 +82,7 @@ impl QuestionCommand for Heights {
     }
 }
 
-/// Returns rows of heights. Each has the step and the number of digits of the longest fraction.
+/// Returns rows with the step, the heights, and the number of digits of the longest fraction.
 fn rows(found: &HeightsFound, steps: Vec<usize>, name: fn(&String) -> String) -> Rows {
     let row = |step: usize| {
         let heights = &found.survey.heights[step];

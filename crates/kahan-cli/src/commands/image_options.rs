@@ -36,7 +36,7 @@ pub(crate) struct ImageOptions {
     paper: bool,
 }
 
-/// Parses WIDTHxHEIGHT. One side is at most four times the other.
+/// Parses WIDTHxHEIGHT. Fails if one side is more than four times the other.
 fn pixels(text: &str) -> Result<(u32, u32), String> {
     let sides = text.split_once(['x', 'X', '×']);
     let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=8192).contains(side));

@@ -9,9 +9,8 @@ use kahan_study::Question;
 use crate::printing::{Answer, UsageError};
 use command_line::{CommandLine, QuestionCommand};
 
-/// Declares the commands, each in a module of its name.
-///
-/// Generates the modules, `COMMAND_GROUPS`, the enum `Command`, and `CommandLine::asking`.
+/// Declares the commands, each in a module of its name. Generates the modules, `COMMAND_GROUPS`,
+/// the enum `Command`, and `CommandLine::asking`, which turns a question into a command line.
 macro_rules! commands {
     (|$whole:ident| $($heading:literal: $(
         $(#[$attribute:meta])* $module:ident::$command:ident

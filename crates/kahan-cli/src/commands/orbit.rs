@@ -153,7 +153,7 @@ impl QuestionCommand for Orbit {
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
         let study = asked[0].study(&self.stepped(&study)?)?;
-        // All orbits begin before the first row is written, because one of them may be refused.
+        // Orbits are checked before rows are written: a refused one leaves no partial table.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
         let (names, has_places) = (["start".to_owned()], begun.len() > 1);

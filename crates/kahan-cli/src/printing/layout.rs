@@ -99,7 +99,7 @@ pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> Strin
 /// Cells wider than this are regarded as sentences, which may be broken into lines.
 const SENTENCE_WIDTH: usize = 24;
 
-/// Returns the width that each column needs if its heading has one word on each line.
+/// Returns the width that each column needs if its heading is broken after every word.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let heading = heading.iter().enumerate();

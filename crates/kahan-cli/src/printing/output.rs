@@ -31,7 +31,7 @@ impl Answer {
         Answer { text, breaks: true, complaint: None, status: 0 }
     }
 
-    /// Returns an empty answer, after another program has printed one and ended with this status.
+    /// Returns an empty answer with the exit status of another program, which printed the answer.
     pub(crate) fn silent(status: u8) -> Self {
         Answer { status, ..Answer::verbatim(String::new()) }
     }

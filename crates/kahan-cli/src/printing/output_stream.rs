@@ -148,7 +148,7 @@ fn cannot_write(place: &str, error: &io::Error) -> WriteError {
     WriteError::Failed(format!("cannot write {place}: {error}"))
 }
 
-/// Makes a temporary file with the user's usual permissions, which are wider than the default.
+/// Makes a temporary file with the user's usual permissions. Those of `tempfile` are stricter.
 fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".kahan-").suffix(".tmp");

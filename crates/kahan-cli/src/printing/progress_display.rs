@@ -29,7 +29,7 @@ impl ProgressDisplay {
         Self::showing(true, || bar(steps, what))
     }
 
-    /// Makes a bar of the steps of orbits. The bar is hidden if rows are printed on a terminal.
+    /// Makes a bar of the steps of orbits, hidden if the rows go to a terminal and not to a file.
     pub(crate) fn beside_rows(in_file: bool, steps: u64) -> Self {
         Self::showing(in_file || !stdout().is_terminal(), || bar(steps, "steps"))
     }
@@ -49,7 +49,7 @@ impl ProgressDisplay {
     }
 
     pub(crate) fn within(self, seconds: f64) -> Self {
-        // A limit of about a century is never reached, and its end can be represented as a time.
+        // Limits above 3·10⁹ seconds are cut, so that `end` can be represented as a time.
         let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
         ProgressDisplay { end: Some(self.since + allowed), ..self }
     }

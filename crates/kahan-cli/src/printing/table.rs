@@ -19,7 +19,7 @@ pub(crate) enum Format {
 pub(crate) struct Table {
     sink: OutputStream,
     format: Format,
-    /// The first cells of each row, which identify the orbit.
+    /// The cells at the beginning of each row, which identify the orbit.
     place: Vec<StoredColumn>,
     line: String,
     has_rows: bool,

@@ -75,7 +75,7 @@ impl Block {
         Subject::block(self.text.clone())
     }
 
-    /// Returns the undeclared names that are parameters. In Rust they are variables of the program.
+    /// Returns the parameters that the text does not declare; none for a block in Rust.
     pub(super) fn undeclared(&self) -> Vec<String> {
         if self.is_rust { Vec::new() } else { self.text.undeclared() }
     }
@@ -102,7 +102,7 @@ impl Block {
         [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
     }
 
-    /// Returns notes on how the text was read, and on values in it that no option replaces.
+    /// Returns notes on how the text was read, and on values in the text for names not in `given`.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let is_noted = |name: &str| {
             let named = format!("`{name}` with the value");

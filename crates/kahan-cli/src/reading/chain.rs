@@ -13,8 +13,8 @@ use super::values::{formula, formulas, named, number};
 use crate::printing::{UsageError, joined};
 
 impl Start {
-    /// Reads the chain with the initial values that `--start` gives. Variables get names if there
-    /// are at most `most_names` of them.
+    /// Reads the chain with the initial values that `--start` gives. Variables get names only if
+    /// there are at most `most_names` variables.
     pub(crate) fn chain(&self, start: &str, most_names: usize) -> Result<Chain, UsageError> {
         const MOST_SITES: usize = 1 << 28;
 
@@ -71,7 +71,7 @@ fn parameter<'a>(
     let option = format!("--param {name}");
     if is_number_file(value) {
         let Numbers { names, values, .. } = read(value, &option)?;
-        // If there are several columns, a heading selects the column.
+        // If the file has several columns, the one with the parameter's name is used.
         let Some(names) = names.filter(|names| names.len() > 1) else { return Ok((name, values)) };
         let wanted = [name.to_owned()];
         let place = ExpectedColumns::new(&wanted, &[], OtherColumns::Ignored).places(&names);
@@ -118,7 +118,7 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Usag
         let rows = values.chunks_exact(names.len());
         values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
-    // A single array may be a list or a column. Of several states in a file, the last is used.
+    // A single array may be a vector or a column. Of several states in a file, the last is used.
     let mut state = vec![sites, arrays.len()];
     let mut found = &sizes[..];
     if arrays.len() == 1 {

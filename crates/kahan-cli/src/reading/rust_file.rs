@@ -1,6 +1,6 @@
-//! Finds the calls of `kahan!` in a text: their ranges and names.
+//! Finds the calls of `kahan!` in a Rust or Markdown text: their ranges and names.
 //!
-//! Uses the lexer of rustc, because `proc-macro2` and `syn` reject unclosed brackets and Markdown.
+//! Uses the lexer of rustc, because `proc-macro2` and `syn` reject Markdown and unclosed brackets.
 
 #[cfg(test)]
 mod tests;

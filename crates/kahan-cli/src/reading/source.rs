@@ -191,7 +191,7 @@ impl Source {
         self.system.iter().cloned().chain(options).collect()
     }
 
-    /// Removes --all, and returns whether it was given. Some commands give --all a wider meaning.
+    /// Removes --all, for commands in which it shows more, and returns whether it was given.
     pub(crate) fn without_all(mut self) -> (Self, bool) {
         let all = std::mem::take(&mut self.all);
         (self, all)
@@ -233,7 +233,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses a value, or a `step` for ε, if the quantity is on one of the `axes`.
+    /// Refuses fixed values of the quantities on `axes`. For the quantity ε, the value is `step`.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), UsageError> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =
@@ -312,7 +312,7 @@ impl Source {
         Source { system: None, field: Some(text), file: None, block: None, ..self }
     }
 
-    /// Returns the named block. Refuses the command if the user named no block.
+    /// Returns the block that the arguments select. Refuses the command if they select none.
     pub(crate) fn required_block(&self) -> Result<Block, UsageError> {
         self.block()?.ok_or_else(|| {
             let names = joined(Systems.names().iter().map(|[name, _]| name), ", ");

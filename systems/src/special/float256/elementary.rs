@@ -1,4 +1,4 @@
-//! Elementary functions of [`Float256`], which the library rounds correctly, and special functions.
+//! Elementary functions of [`Float256`], correctly rounded by `dashu-float`, and special functions.
 
 use std::sync::OnceLock;
 

@@ -1,5 +1,5 @@
-//! Runs plans in floats with a given rounding. Every expansion of the macro runs this code without
-//! optimisation, so plain loops are used.
+//! Runs plans in floats with a given rounding. The macro runs this code at compile time, usually
+//! without optimisation, so plain loops are used.
 
 use kahan_program::Arithmetic;
 use kahan_syntax::rational::Rational;

@@ -11,7 +11,7 @@ use super::float_plan::{FloatPlan, SHORT_UNIT, short};
 #[derive(Debug)]
 pub(super) struct SampleStep {
     pub(super) inputs: Vec<f64>,
-    /// The image x̃ in 53 bits.
+    /// The image x̃ by elimination in `f64`, from which errors are measured.
     pub(super) next: Vec<f64>,
     /// The error of elimination in 30 bits, as a multiple of the unit roundoff.
     pub(super) elimination: f64,
@@ -49,7 +49,7 @@ impl SampleStep {
             }
             norm = norm.max(sum);
         }
-        // A random factor avoids ε = 1/‖f′‖∞, where a Jacobian with a single entry gives a pole.
+        // The random factor avoids ε‖f′‖∞ = 1, where det A = 0 if f′ has a single nonzero entry.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
         if !eps.is_normal() {
             return None;

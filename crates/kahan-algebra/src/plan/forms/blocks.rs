@@ -36,9 +36,9 @@ pub(in crate::plan) struct Blocks<'a> {
     first: usize,
 }
 
-/// A block of states, split into `independent` states, which do not depend on each other, and
-/// `rest`. Minors of `rows` solve for the rest. Then the independent states get the increments
-/// 2ε·`moved`.
+/// A block of states: `independent` states, which do not depend on each other, and `rest`. Cramer's
+/// rule with minors of `rows` gives the increments x̃ᵢ − xᵢ of `rest`. Those of the independent
+/// states are then 2ε·`moved`.
 #[derive(PartialEq)]
 struct Block {
     rest: Vec<usize>,
@@ -64,10 +64,10 @@ impl<'a> Blocks<'a> {
         }
     }
 
-    /// Prepares the map of a tangent vector v for known x and x̃.
+    /// Prepares the map v ↦ ṽ of tangent vectors for known x and x̃.
     ///
-    /// The second states stand for x + x̃ and ṽ − v, so half of the terms of the polarised field
-    /// cancel. All equations are doubled to avoid the factor ½.
+    /// The symbols `SecondState` stand for x + x̃ and ṽ − v, which halves the number of terms of
+    /// the polarised field. All equations are doubled to avoid the factor ½.
     pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };
@@ -149,7 +149,7 @@ impl<'a> Blocks<'a> {
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        // For a tangent vector, the rows contain no factor ε, because the reciprocal contains it.
+        // For tangent vectors, the reciprocal of the determinant contains ε, so the rows do not.
         let eps = match self.is_tangent() {
             true => Polynomial::one(),
             false => Polynomial::variable(self.field.symbols.epsilon()),
@@ -169,8 +169,8 @@ impl<'a> Blocks<'a> {
         rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
     }
 
-    /// Replaces the unknown images x̃ of states in a block by x. For a tangent vector, replaces the
-    /// unknown increments by 0.
+    /// Replaces x̃ᵢ by xᵢ for each state of a block whose image is not yet known. For a tangent
+    /// vector, replaces the increment ṽᵢ − vᵢ by 0 instead.
     fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
         let symbols = &self.field.symbols;
         if self.is_tangent() {

@@ -30,7 +30,7 @@ impl Candidate {
         Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
     }
 
-    /// Builds a candidate from numerators, reciprocals, and flags. A flag negates the numerator.
+    /// Builds a candidate from numerators, reciprocals and flags (`true` negates the numerator).
     pub(super) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
@@ -44,8 +44,8 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether no prepared constant is rounded twice. Always true for dissipative fields,
-    /// which have no integrals.
+    /// Returns whether no prepared constant is rounded twice, which would make integrals drift.
+    /// Returns true for dissipative fields, which have no integrals.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
@@ -66,7 +66,7 @@ impl Writer {
     }
 }
 
-/// Returns the price of a form for its operations, its cycles, and constants rounded twice.
+/// Returns the price of a kernel by its operations, latency, and constants rounded twice.
 fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));

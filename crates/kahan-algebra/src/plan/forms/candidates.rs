@@ -25,7 +25,7 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// Numerators that are written as products are tried with this many of the cheapest denominators.
+/// Numerators as products are combined only with this many denominators, the cheapest.
 const TRIED_DENOMINATORS: usize = 2;
 /// If the factors of the numerators have more terms in total than this, numerators are written as
 /// determinants where possible.
@@ -47,7 +47,7 @@ pub(in crate::plan) struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    /// Returns forms for a single orbit in which the time of a step may be below `recurrence`.
+    /// Returns candidates for a single orbit whose time per step may be below `recurrence`.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -170,11 +170,11 @@ impl FactoredMap<'_> {
         }
         let matrix = scaled_matrix(self.field);
         let mut starts = Vec::new();
-        // Row `last` is expanded last. With two rows, both choices give equal forms.
+        // Each row is tried as the last in Laplace expansion. With two rows, the forms are equal.
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
-            // The determinant is also the reduced denominator, which the writer may now reuse.
+            // If the determinant is the reduced denominator, the writer reuses it.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
@@ -219,7 +219,7 @@ impl FactoredMap<'_> {
     }
 }
 
-/// Returns whether the determinants equal the reduced denominator and numerators exactly.
+/// Returns whether no common factor was divided out of the map.
 fn map_is_unscaled(map: &RationalMap) -> bool {
     map.denominator == map.reduced.denominator
 }

@@ -40,7 +40,7 @@ impl<'a> FactoredMap<'a> {
         self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
     }
 
-    /// Writes each numerator without the factor `without`, times a power of ε.
+    /// Writes each numerator, divided by the factor `without`, and multiplied by its power of ε.
     pub(in crate::plan) fn written_numerators(
         &self,
         writer: &mut Writer,
@@ -71,8 +71,8 @@ impl<'a> FactoredMap<'a> {
         }
     }
 
-    /// Writes a form for a denominator p·q, where `factors` are p and q. Numerators that contain
-    /// the factor q are divided only by p, and multiplied by the power `short` of ε.
+    /// Writes a candidate for the denominator p·q with `factors` [p, q]. Numerators with the factor
+    /// q are divided only by p, and multiplied by the power `short` of ε instead of `long`.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],
@@ -83,8 +83,8 @@ impl<'a> FactoredMap<'a> {
         let mut writer = self.empty.last()?.clone();
         let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, FormGoal::Early));
         let reciprocal = writer.reciprocal(c, needed.node);
-        // Two divisions in sequence are faster, because compilers pack parallel divisions into one
-        // vector division.
+        // The quotient by p is divided by q, because compilers would pack two independent divisions
+        // into one slower vector division.
         let both = writer.draft.builder.divide(reciprocal, partner.node);
         let is_short = |numerator: &Factored| numerator.exponent(other) > 0;
         let power = |numerator: &Factored| if is_short(numerator) { short } else { long };

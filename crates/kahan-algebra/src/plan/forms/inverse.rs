@@ -1,10 +1,10 @@
 //! Writes forms that are divided by the time step. With h = 1/(2ε), the denominator 1 + 2εx becomes
 //! h + x.
 //!
-//! Multiplications by ε in denominators delay each step. Division by a power of ε moves the
-//! multiplications into prepared constants. If h is the only rounded constant, the step is exactly
-//! Kahan's map at a time step within half an ulp. The form is undefined at ε = 0 and overflows near
-//! it, so another form must accompany it.
+//! Multiplications of states by ε in a denominator delay each step. After division by a power of ε,
+//! only prepared constants contain ε. If h is the only rounded constant, the step is exactly
+//! Kahan's map for a time step within half an ulp of 2ε. The form is undefined at ε = 0 and
+//! overflows near it, so another form must accompany it.
 
 use kahan_syntax::rational::Rational;
 
@@ -24,12 +24,11 @@ use crate::plan::writing::writer::Writer;
 const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
-    /// Returns forms divided by ε or ε² that may have a
-    /// [recurrence](crate::plan::StepPlan::recurrence) below `recurrence`. Their constants are
-    /// rounded once.
+    /// Returns candidates divided by ε or ε² whose dependence chain from step to step may be
+    /// shorter than `recurrence`. Their constants are rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // The division by ε saves nothing, because each term has a single prepared constant.
+            // Each term has one prepared constant, so its power of ε costs no operation.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
@@ -72,9 +71,9 @@ impl FactoredMap<'_> {
         writer.write(&gathered, FormGoal::Early)
     }
 
-    /// Writes the increment 2εn/d as (n/εᵏ⁻¹)·c/q, where k is `power` and `denominator` is the
-    /// written q = c·d/(2εᵏ). Returns `None` if a step would wait too long for the previous step,
-    /// or if a constant is rounded twice.
+    /// Writes the increment 2εn/d as (n/εᵏ⁻¹)·(c/q) with k = `power` and q = c·d/(2εᵏ), which is
+    /// already written as `denominator`. Returns `None` if the dependence chain from step to step
+    /// would not be shorter than `recurrence`, or if a constant is rounded twice.
     fn over_power(
         &self,
         power: u32,

@@ -66,7 +66,7 @@ fn pairs(writer: &mut Writer, first: &[MatrixEntry], second: &[MatrixEntry]) -> 
     minors
 }
 
-/// Returns ab − cd if the polynomials of all entries are known.
+/// Returns the minor ab − cd as a polynomial, or `None` if the polynomial of an entry is unknown.
 fn minor_of(a: &MatrixEntry, b: &MatrixEntry, c: &MatrixEntry, d: &MatrixEntry) -> Option<Polynomial> {
     let [a, b, c, d] = [a, b, c, d].map(|entry| entry.polynomial.as_ref());
     Some(&(a? * b?) - &(c? * d?))
@@ -114,8 +114,8 @@ pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     count
 }
 
-/// Returns the order of rows that has the given rank by cost. Candidates are the rotations of three
-/// orders: the given one, sparse rows first, and dense rows first.
+/// Returns the order of rows at index `rank` among candidates of increasing cost. Candidates are
+/// the rotations of three orders: the given one, sparse rows first, and dense rows first.
 pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
     let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();

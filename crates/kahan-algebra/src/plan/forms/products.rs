@@ -1,7 +1,7 @@
 //! Writes the step of a field with products of sums, such as `(x - 1)*(y - 1)/s`.
 //!
-//! Near a common zero of the sums, the terms of the expanded product cancel, and 1/s magnifies the
-//! rounding error. Cramer's rule for A·(x̃ − x) = 2εf keeps the products.
+//! Where all these sums are near 0, the terms of the expanded product cancel, and division by a
+//! small s magnifies the rounding error. Cramer's rule for A·(x̃ − x) = 2εf keeps the products.
 
 use kahan_syntax::rational::Rational;
 
@@ -15,8 +15,8 @@ use crate::plan::forms::minors::{Determinants, MOST_OPERATIONS, determinants, op
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// Returns a form for each choice of the row that is expanded last. Returns no form beyond a limit
-/// of operations.
+/// Returns a candidate for each choice of the last row in Laplace expansion, but none that needs
+/// too many operations.
 pub(in crate::plan) fn candidates(field: &Field, kept: &FieldWithSubexpressions) -> Vec<Candidate> {
     let n = field.dimension();
     let epsilon = field.symbols.epsilon();

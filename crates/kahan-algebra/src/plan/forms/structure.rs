@@ -28,8 +28,8 @@ impl Structure {
         blocks(&self.depends.iter().map(row).collect::<Vec<_>>())
     }
 
-    /// Returns independent states of a block. Independent states do not depend on each other or on
-    /// themselves, so A is the identity on them.
+    /// Returns states of a block that depend neither on each other nor on themselves. In A, their
+    /// rows and columns form an identity matrix.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);
@@ -78,7 +78,7 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
 fn components(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut components: Vec<Vec<usize>> = Vec::new();
     let mut numbers: Vec<Option<usize>> = vec![None; depends.len()];
-    // Tarjan's low-links: the least vertex number known to be reachable.
+    // For each vertex, the least vertex number known to be reachable from it (Tarjan's low-link).
     let mut lowest = vec![0; depends.len()];
     let mut is_open = vec![false; depends.len()];
     let (mut open, mut path, mut count) = (Vec::new(), Vec::new(), 0);

@@ -23,8 +23,8 @@ const ROW_ORDERS: usize = 3;
 /// with a small δ.
 const MOST_OPERATIONS: usize = 300;
 
-/// Returns the plan of ṽ from x, v and x̃. The first half of the second states is x̃. Returns
-/// `None` if every form loses digits in long steps.
+/// Returns the plan of the image ṽ of a tangent vector v from x, v and x̃, where x̃ is the first
+/// half of the symbols `SecondState`. Returns `None` if every candidate loses digits in long steps.
 pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     let blocks = Blocks::of_tangent(variational);
     let accuracy = Accuracy::of(variational);

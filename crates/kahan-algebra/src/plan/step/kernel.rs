@@ -7,7 +7,7 @@ use crate::plan::{Node, Plan};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
     /// The plan of the kernel. The outputs are the numerators, then the distinct reciprocals. A
-    /// reciprocal is ±c/d or ±c/d/d′ for denominators d and d′ and a power of two c.
+    /// reciprocal is ±c/d or (±c/d)/d′ with denominators d and d′ and a power of two c.
     pub plan: Plan,
     /// The index of each component's reciprocal. `None` for increments without division.
     pub reciprocal_of: Vec<Option<usize>>,

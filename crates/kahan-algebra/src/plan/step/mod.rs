@@ -44,9 +44,9 @@ pub struct StepPlan {
     /// Whether a prepared constant has the divisor ε. If so, the plan can be used only for floats,
     /// and only if ε is not near zero.
     pub has_inverse_step: bool,
-    /// The plan for SIMD lanes, if it differs. A second division can shorten the steps of one
-    /// orbit, but for many orbits the divisions are the bottleneck. If `self` [divides by
-    /// ε](Self::has_inverse_step), this plan also serves other scalars and ε near zero.
+    /// The plan for SIMD lanes, if another plan is faster there. A second division can make one
+    /// orbit faster, but in SIMD lanes divisions are the bottleneck. If `self` [divides by
+    /// ε](Self::has_inverse_step), `general` also serves other scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
     /// The largest size ‖εf′‖∞ of 1, 10, 100 and 1000 at which the step loses few digits compared
     /// with elimination with partial pivoting; 0 if the step loses more at each of these sizes.
@@ -86,8 +86,8 @@ impl StepPlan {
         }
     }
 
-    /// Returns the plan of x̃ from x and the prepared constants. A numerator −n is subtracted
-    /// rather than negated, as compilers do.
+    /// Returns the plan of x̃ from x and the prepared constants. A numerator −n is not negated: n
+    /// times its reciprocal is subtracted from x, as a compiler would do.
     #[must_use]
     pub fn next(&self, symbols: &Symbols) -> Plan {
         let mut operations = self.kernel.plan.operations.clone();
@@ -114,9 +114,9 @@ impl StepPlan {
 
     /// Returns whether generated code must keep named values out of vector registers.
     ///
-    /// The answer is yes for three components only. Compilers pack values in pairs, which leaves
-    /// one, and moves between registers then cost up to an eighth of a step. More components would
-    /// make steps too large for inlining.
+    /// The answer is yes for three components only. Compilers would pack two of the three values
+    /// into a vector register, and moves between registers would take up to an eighth of the time
+    /// of a step. With more components, the step would become too large for inlining.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.kernel.dimension() == 3
@@ -151,7 +151,7 @@ impl StepPlan {
         });
         let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        // Reciprocals of parameters are still inputs here, so every division is a division by ε.
+        // Reciprocals of parameters are still inputs of `constants`, so it divides only by ε.
         let has_inverse_step =
             constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
@@ -168,8 +168,8 @@ impl PlanBuilder {
     /// Writes the step of a field with one variable by a direct division: x̃ = x ± 2εn/d. Returns
     /// `None` unless the reciprocal is ±1/d or ±2/d.
     ///
-    /// Multiplication by a reciprocal would delay the next step, round once more, and perhaps miss
-    /// a pole.
+    /// Multiplication by a reciprocal would delay the next step and round once more. At a pole, its
+    /// result might be finite.
     pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
         let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };
         let Operation::Constant(dividend) = &self.operations()[dividend.0] else { return None };

@@ -1,7 +1,7 @@
 //! Estimates the time of a step in an orbit, where each step waits for the previous one.
 //!
-//! The relevant path is the longest dependency cycle from a state through several steps back to the
-//! state. The longest path through a single step would overestimate the time.
+//! The slowest loop of dependences from a state through n steps back to the state takes n times
+//! this time. The longest path through a single step may take longer.
 
 use crate::poly::Variable;
 
@@ -15,8 +15,8 @@ impl StepPlan {
         self.recurrence().div_ceil(UNIT)
     }
 
-    /// Returns the mean time of a step on the slowest dependency cycle of up to n steps. The unit
-    /// is 1/60 processor cycle.
+    /// Returns the time of the slowest loop of dependences through at most n steps, divided by its
+    /// number of steps, where n is the number of states. The unit is 1/60 processor cycle.
     pub(in crate::plan) fn recurrence(&self) -> u64 {
         let n = self.kernel.dimension();
         let mut longest = 0;
@@ -95,7 +95,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// A cycle in the unit of [`StepPlan::recurrence`]. The number is divisible by 1 to 6.
+/// The units of [`StepPlan::recurrence`] in a processor cycle. The number is divisible by 1, …, 6.
 const UNIT: u64 = 60;
 
 /// Returns the longest paths through two consecutive steps.

@@ -1,7 +1,7 @@
-//! Chooses the sign of each value in a kernel that uses prepared differences.
+//! Chooses signs in a kernel. If a prepared constant a − b is computed as b − a, the signs of
+//! values that depend on it change.
 //!
-//! A constant a − b may be prepared as b − a, which changes the signs of dependent values. Signs
-//! are chosen for few subtractions and few negations. Rounding is symmetric, so no bit of x̃
+//! Signs are chosen for few subtractions and few negations. Rounding is symmetric, so no bit of x̃
 //! changes. Similar components then have equal instructions, which compilers vectorise better.
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
@@ -12,8 +12,8 @@ const NEGATION_COST: usize = 4;
 const ROUNDS: usize = 4;
 
 /// Chooses the signs of prepared differences such that the kernel has few negations and
-/// subtractions. Neither the number of operations nor the critical path increases. The search costs
-/// a few times operations² for each prepared difference and each subtraction.
+/// subtractions. Neither the number of operations nor the critical path increases. The search takes
+/// time proportional to operations² for each prepared difference and each subtraction.
 #[must_use]
 pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
     let search = SignSearch::new(&constants, &kernel);
@@ -200,8 +200,8 @@ impl<'a> SignSearch<'a> {
     }
 }
 
-/// Returns whether each summand of a sum has a minus sign, where `of` gives the signs of the
-/// operands. Returns (false, false) for other operations.
+/// Returns for each summand of a sum whether it is subtracted, if `of` tells which operands are
+/// negated. Returns (false, false) for other operations.
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),

@@ -4,8 +4,8 @@ use crate::poly::Variable;
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// Counts the outputs with a product of two values that depend on ε. Such outputs are rounded
-/// twice.
+/// Counts the outputs in which two values that depend on ε are multiplied. In general, such outputs
+/// are rounded more than once.
 pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usize {
     let mut contains = vec![false; plan.operations.len()];
     let mut derived = vec![false; plan.operations.len()];
@@ -28,8 +28,8 @@ pub(in crate::plan) fn split(
     epsilon: Variable,
     varies: impl Fn(Variable) -> bool,
 ) -> (Plan, Plan) {
-    // A zero divisor is a pole of the step. Divisions stay in the kernel, except for divisions by
-    // ε, which the caller checked.
+    // A zero divisor is a pole of the step, so divisions stay in the kernel. Divisions by ε do not,
+    // because the caller checks that ε is not 0.
     let is_epsilon = |node: Node| plan.operations[node.0] == Operation::Input(Input::Variable(epsilon));
     split_where(plan, is_epsilon, varies)
 }

@@ -86,14 +86,14 @@ fn common_factor(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<
     gcd_within(a, b, budget).ok().map(|gcd| primitive_core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
-/// Returns the gcd of the coefficients of the powers of some variable, unless it is constant.
+/// Returns the gcd of the coefficients in the first variable for which it is not constant.
 fn content_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > MAX_FACTORED_TERMS || polynomial.len() < 4 {
         return None;
     }
     polynomial.variables().into_iter().find_map(|variable| {
         let coefficients: Vec<Polynomial> = polynomial.coefficients_in(variable).into_values().collect();
-        // Coefficients with one term have only monomial factors.
+        // If a coefficient has one term, the gcd is a monomial, which is not returned.
         if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
             return None;
         }
@@ -102,8 +102,8 @@ fn content_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polyno
     })
 }
 
-/// Returns a factor of a quadratic av² + bv + c in some variable v. If b² − 4ac = s², the factor is
-/// the gcd with 2av + b − s.
+/// Returns a factor of av² + bv + c, a polynomial of degree 2 in some variable v. If b² − 4ac = s²,
+/// the factor is gcd(av² + bv + c, 2av + b − s).
 fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > QUADRATIC_TERMS || polynomial.len() < 4 {
         return None;

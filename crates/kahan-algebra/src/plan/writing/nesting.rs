@@ -27,9 +27,9 @@ const MOST_LOOKED_AT: usize = 1_000_000;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum FormGoal {
-    /// The value should be ready early, like a denominator, for which all later operations wait.
+    /// For denominators: the value should be ready early, because all later operations wait for it.
     Early,
-    /// The value should need few operations, like a numerator, which is computed during a division.
+    /// For numerators: the value should need few operations. It is ready before a division ends.
     Few,
 }
 
@@ -158,8 +158,8 @@ impl Nesting {
         counts.into_iter().map(|(variable, _)| variable).collect()
     }
 
-    /// Returns whether a variable may be factored out. Parameters may not, because they stay in
-    /// prepared constants.
+    /// Returns whether a variable may be factored out. Parameters may not, because they are
+    /// multiplied into prepared constants.
     fn may_be_out(&self, variable: Variable) -> bool {
         variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }

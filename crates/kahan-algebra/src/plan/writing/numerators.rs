@@ -131,7 +131,7 @@ impl Factors {
     }
 }
 
-/// Multiplies the monomial (place 0) or factor k (place k) by the power of ε.
+/// Multiplies the monomial (`place` 0) or the factor number `place` (from 1) by the power of ε.
 fn with_power_at(writer: &mut Writer, product: &Factored, power: Power, place: usize) -> Factors {
     let epsilon = writer.scaling.epsilon();
     let mut list = Factors::default();

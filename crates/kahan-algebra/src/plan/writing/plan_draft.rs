@@ -17,7 +17,7 @@ pub(in crate::plan) struct PlanDraft {
     pub(in crate::plan) builder: PlanBuilder,
     ready: Vec<u32>,
     fixed: Vec<bool>,
-    /// For each operation, the number of operations up to it that depend on states.
+    /// For each operation, how many operations at or before it depend on states.
     sizes: Vec<usize>,
     /// The number of states. Variables from this number up to ε are parameters.
     states: u16,
@@ -120,8 +120,8 @@ impl PlanDraft {
     /// Returns the product of all factors. Existing products are preferred, then factors that are
     /// ready early.
     ///
-    /// Products of two constants are avoided unless the draft permits them. The rounding error of
-    /// such a product would recur in every step, so integrals would drift.
+    /// Products of two prepared constants are avoided unless the draft permits them. The rounding
+    /// error of such a product would be equal in every step, so integrals would drift.
     pub(in crate::plan) fn product(&mut self, factors: &[Node]) -> Node {
         match factors {
             [] => return self.constant(&Rational::one()),
@@ -183,10 +183,9 @@ impl PlanDraft {
         if signed.negative { self.builder.negate(signed.node) } else { signed.node }
     }
 
-    /// Returns the sum of signed terms up to a sign, which is part of the result.
+    /// Returns a node and a sign. Their product is the sum of the signed terms.
     pub(in crate::plan) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
         self.settle();
-        // Among values that are ready at the same time, the sum made last is added first.
         let waiting = terms.iter().zip(0_i64..);
         let mut waiting: BinaryHeap<_> =
             waiting.map(|(&term, place)| Reverse((self.order(term.node), place, term))).collect();

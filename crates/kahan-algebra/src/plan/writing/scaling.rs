@@ -1,9 +1,9 @@
 //! Distributes powers of ε over the states and parameters of each term. Then ε²x²y becomes
 //! (εx)(εx)y.
 //!
-//! If εx is computed first, terms need no product with ε, and ε is the only rounded constant. A
-//! scaled symbol such as εx is a variable with a number above all unscaled symbols. The last of
-//! these variables is the [inverse time step](crate::plan::forms::inverse).
+//! If εx is computed first, terms need no product with ε, and no prepared constant except ε is
+//! rounded. The variables of scaled symbols such as εx have numbers above all others. The last of
+//! them is the [inverse time step](crate::plan::forms::inverse) 1/(2ε).
 
 use kahan_syntax::rational::Rational;
 
@@ -18,7 +18,7 @@ pub(in crate::plan) const INVERSE_STEP: Variable = Variable(FIRST_COEFFICIENT - 
 /// The approximate cycle in which the image of a state is ready, after a division.
 const STATE_IMAGE_CYCLE: u32 = 2 * DIVIDE;
 
-/// The symbols of a term that are multiplied by its powers of ε first.
+/// Whether the powers of ε in a term multiply its states first or its parameters first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum ScalingPriority {
     /// States come first. This suits fields whose parameters occur only in some terms.
@@ -145,8 +145,8 @@ impl Scaling {
     }
 }
 
-/// Returns whether div f is a nonzero constant. There is then no invariant measure or integral that
-/// rounding errors could make drift.
+/// Returns whether div f is a nonzero constant. Then the field has no invariant measure and no
+/// integral that rounding errors of prepared constants could make drift.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
     let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));
@@ -156,7 +156,7 @@ fn is_dissipative(field: &Field) -> bool {
         && !field.symbols.has_state(&divergence)
 }
 
-/// Returns all rotations of the list of states.
+/// Returns all rotations of the list of states, as orders in which states are multiplied by ε.
 fn orders(states: &[usize]) -> impl Iterator<Item = Vec<usize>> {
     (0..states.len()).map(|first| [&states[first..], &states[..first]].concat())
 }

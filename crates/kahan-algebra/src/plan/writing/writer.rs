@@ -24,8 +24,8 @@ use kahan_program::Numbered;
 /// the search is quadratic.
 const MAX_REUSE_TERMS: usize = 24;
 
-/// For sums of at most this many terms, the form with a common constant factored out is compared
-/// with the form without.
+/// For sums of at most this many terms, formulas with and without a common constant factored out
+/// are compared.
 const MAX_UNFACTORED_TERMS: usize = 3;
 
 /// An entry of a matrix as a written value, and as a polynomial if it is known.
@@ -123,7 +123,7 @@ impl Writer {
         written.flipped(sign)
     }
 
-    /// Writes a polynomial. Powers of ε are multiplied into the first symbols of each term.
+    /// Writes a polynomial. Powers of ε multiply states or parameters first, by `ScalingPriority`.
     pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: FormGoal) -> Signed {
         let scaled = self.scaling.scale_first(polynomial);
         self.write(&scaled, goal)
@@ -135,7 +135,7 @@ impl Writer {
         self.remember(&scaled, written);
     }
 
-    /// Writes an entry of a matrix. Powers of ε are multiplied into the first symbols of each term.
+    /// Writes an entry of a matrix, with powers of ε as in [`Self::write_scaled`].
     pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: FormGoal) -> MatrixEntry {
         let polynomial = self.scaling.scale_first(polynomial);
         let written = self.write(&polynomial, goal);
@@ -211,7 +211,7 @@ impl Writer {
         let nesting = &nestings[usize::from(goal == FormGoal::Few)];
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        // Products of low degree may be factors of other summands, so they are written first.
+        // Nested products and low degrees come first, because other summands may reuse them.
         let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
             Summand::Term(monomial, _) => monomial.degree(),
             Summand::Product(..) => 0,

@@ -1,4 +1,4 @@
-//! The rows of a result, averaged over the cells of a chart.
+//! Reads rows of numbers from a file, and averages them over the cells of a chart.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::reading::{self, named, number, over};
 /// A column of a file, and the rows of this file that are drawn.
 pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
-    /// Ranges, or names of columns whose values are the midpoints of the cells.
+    /// The axes: ranges, or names of columns whose values are the midpoints of the cells.
     pub(super) over: &'a [String],
     pub(super) column: String,
     pub(super) chosen: &'a [String],

@@ -13,7 +13,7 @@ struct AxisCombinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The systems at the first combinations of values. The others are not cached.
+    /// The systems for the first `CACHED_COMBINATIONS` combinations of values.
     few: Vec<Study>,
 }
 
@@ -45,7 +45,7 @@ impl Orbit {
             }
             Ok(self.question(eps.ok_or(StudyError::MissingStep)?, at))
         };
-        // Every orbit begins before the first row is written, because one may be refused.
+        // Orbits are checked before rows are written: a refused one leaves no partial table.
         for index in 0..all.count {
             let study = all.study(index)?;
             asked(&starts[0], &all.values(index))?.begin(&study)?;

@@ -73,7 +73,7 @@ impl Subject<'_> {
         PictureRequest::portrait(eps.clone(), vec![StartSpec::Point(start.clone())], steps)
     }
 
-    /// Returns a fraction of the available time in seconds, rounded to tenths.
+    /// Returns the fraction `share` of the available seconds, rounded to tenths.
     pub(super) fn share(&self, share: f64) -> f64 {
         (10.0 * share * self.seconds).round().max(1.0) / 10.0
     }
@@ -137,7 +137,7 @@ impl Subject<'_> {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
         };
-        // The first range of a chart varies fastest, but in a question the last axis does.
+        // The first range of a chart varies fastest, but the last axis of an `Over` does.
         let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
             let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
             let range = range.expect("printed numbers make a range");
@@ -159,7 +159,7 @@ impl Subject<'_> {
         figure("chart", "A chart of stability", &line, drawn.map_err(UsageError::from))
     }
 
-    /// Returns the cheapest integrator settings for the time that the figures span.
+    /// Returns the cheapest settings of `kahan trade` for the time of `STEPS` steps.
     pub(super) fn settings(&self) -> Markup {
         const STEPS: f64 = 400.0;
         let horizon = Rational::parse(&decimal(2.0 * self.shown.eps.to_f64() * STEPS));
@@ -203,7 +203,7 @@ impl Subject<'_> {
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
     }
 
-    /// Asks for orbits whose initial points lie between the given one and the centre of its orbit.
+    /// Asks for orbits from points between the initial point and the middle of its orbit.
     fn many_orbits(&self, steps: u64) -> PictureRequest {
         let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
@@ -270,7 +270,7 @@ pub(super) fn command(line: &CommandLine) -> Markup {
 /// Explains by the numbers of crossings whether a section shows curves or areas.
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
-    /// An orbit is called periodic if it comes back to each of its points this often, on average.
+    /// An orbit with this many crossings for each distinct point, on average, is called periodic.
     const PERIODIC_VISITS: usize = 10;
 
     let of =

@@ -1,4 +1,4 @@
-//! The page of a lifted field, whose text contains the start that determines the lift.
+//! The page of a lifted field. Its text contains the initial point, on which the lift depends.
 
 use kahan_draw::answer;
 use kahan_draw::picture::{PictureOptions, relations};
@@ -12,7 +12,7 @@ use crate::printing::{UsageError, joined};
 use crate::reading::{Block, Source};
 
 impl Page {
-    /// Returns the source and its block. The initial point is inserted into a lifted field's text.
+    /// Returns the source and its block. If a lifted field has no initial point, one is inserted.
     pub(super) fn with_chosen_start(&self, block: &Block) -> Result<(Source, Block), UsageError> {
         let as_given = (self.source.clone(), block.clone());
         let study = self.source.study_of_block(block, self.at.as_deref())?;

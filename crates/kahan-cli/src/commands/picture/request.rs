@@ -208,7 +208,7 @@ impl PictureRequest {
             ProgressDisplay::new((starts.len() as u64).saturating_mul(steps), "steps").within(self.seconds);
         let mut found = Vec::new();
         for at in starts {
-            // `ask` is called for the first point in any case, because it may refuse the question.
+            // `ask` is called for the first point even if no time is left: it may report a mistake.
             if prompt.is_over() && !found.is_empty() {
                 break;
             }
@@ -225,7 +225,7 @@ impl PictureRequest {
         section: Option<&Section>,
         look: &PictureOptions,
     ) -> Result<NotedPicture, UsageError> {
-        // An axis may be a new variable of a lift, so the study shows all variables.
+        // With given axes, the study shows all variables: an axis may be a new variable of a lift.
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len(), section.and_then(|asked| asked.crossings).unwrap_or(self.steps))?;

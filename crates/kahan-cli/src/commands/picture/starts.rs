@@ -35,7 +35,7 @@ impl Default for StartSpread {
 impl StartSpec {
     /// Reads the value of an `--at`. A file gives a point for each of its rows.
     pub(super) fn read(at: &str, spread: &StartSpread, study: &Study) -> Result<Vec<Self>, UsageError> {
-        // A file is tested first, because its path may contain dots.
+        // A file is recognised first, because its path may contain `..`.
         match at.split_once("..").filter(|_| !is_number_file(at)) {
             Some(_) if spread.count.is_none() => Err(UsageError::new(format!(
                 "--at {at} is a line; say by --starts how many first points it has"

@@ -17,7 +17,7 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// Ways to multiply ε into terms are compared for right-hand sides of at most this many terms.
+/// For right-hand sides of at most this many terms, all `eps_distributions` are compared.
 const COMPARED_TERMS: usize = 12;
 
 /// The increment x̃ᵢ − xᵢ as numerator and reciprocal.
@@ -30,7 +30,7 @@ struct Solution {
 }
 
 impl BlockOrder {
-    /// Returns by how many places rows are rotated in each of at most `most` attempts.
+    /// Returns the rotations of rows to try: by 0, 1, … rows, at most `most` of them.
     fn row_rotations(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
@@ -40,7 +40,7 @@ impl BlockOrder {
 }
 
 impl Blocks<'_> {
-    /// Returns a candidate for each rotation of rows. The rows of the first block are written once.
+    /// Returns a candidate for each rotation of rows. All share the first block's written rows.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
@@ -72,7 +72,7 @@ impl Blocks<'_> {
     fn solve(&self, block: &Block, mut rows: Vec<Vec<MatrixEntry>>, turn: usize, solution: &mut Solution) {
         let Solution { writer, increments } = solution;
         if !rows.is_empty() {
-            // An odd permutation changes the signs of all determinants, but not the quotients.
+            // Rotating rows may change the sign of all determinants, but not their quotients.
             let turn = turn % rows.len();
             rows.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &rows);

@@ -17,7 +17,7 @@ fn values(constants: &Plan, kernel: &Plan) -> Vec<Option<Rational>> {
     kernel.evaluate(&Exact, |read| read.value(&prepared, |variable| Some(input(variable))))
 }
 
-/// With c = b − a, the results 1 − cx, −cy and −cxy need neither subtraction nor negation.
+/// If c = a − b is replaced by b − a, the results 1 − cx, −cy and −cxy need no negation.
 #[test]
 fn a_difference_is_prepared_the_way_that_needs_no_negation() {
     let mut builder = PlanBuilder::default();

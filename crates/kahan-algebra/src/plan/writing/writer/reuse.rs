@@ -85,8 +85,8 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
     best
 }
 
-/// Returns the quotient m of a term of P by a term of g, if P and m·g agree in at least `common`
-/// monomials and coefficients.
+/// Returns the quotient m of a term of P = `polynomial` and a term of g = `sum`, if P and m·g have
+/// at least `common` equal terms.
 fn multiple_at(
     polynomial: &Polynomial,
     sum: &Polynomial,
