@@ -1,4 +1,4 @@
-//! Converts NumPy arrays to slices, and words the errors of such conversions.
+//! Converts NumPy arrays to slices, and formulates the error messages of these conversions.
 //!
 //! Arrays of `float64` in C order are used without a copy. Functions of single precision also use
 //! `float32` without a copy.

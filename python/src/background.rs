@@ -1,6 +1,5 @@
-//! Does long work without the interpreter's lock, with Ctrl-C and reports of progress.
-//!
-//! Python handles signals only on its main thread, so the work has a thread of its own.
+//! Runs long computations without the interpreter's lock. They report progress, and Ctrl-C stops
+//! them. Python handles signals only on its main thread, so each computation has its own thread.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};

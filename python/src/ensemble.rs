@@ -107,7 +107,7 @@ pub(crate) struct EnsembleOptions<'a, 'py> {
 }
 
 impl Field {
-    /// Prepares the map and the constants for points in an array of this shape.
+    /// Prepares the map, ε and the parameters for points in an array of this shape.
     pub(crate) fn many<T: Float>(
         &self,
         py: Python<'_>,
@@ -123,7 +123,7 @@ impl Field {
             None => Ok(Vec::new()),
         });
         let mut values = values.collect::<PyResult<Vec<Vec<T>>>>()?;
-        // A parameter whose values are given here may lack a value in the field.
+        // The map needs a value for every parameter; missing ones are taken from `values`.
         let at: MapAt<T> = self.map_with(py, &values)?.at(eps.first().copied().unwrap_or_else(T::zero));
         let at = at.composed(composition(asked.order)?);
         for (own, values) in at.map().parameters().iter().zip(&mut values) {
@@ -172,7 +172,7 @@ impl Field {
 pub(crate) struct Trajectories<T: Float> {
     pub(crate) at: MapAt<T>,
     pub(crate) eps: Vec<T>,
-    /// The values of each parameter; empty if the values of the map are used.
+    /// For each parameter one value, or one per trajectory; empty if the map's values are used.
     pub(crate) constants: Vec<Vec<T>>,
     pub(crate) steps: u64,
     trajectories: usize,
@@ -186,7 +186,7 @@ impl<T: Float> Trajectories<T> {
             let missing = constants.len()..self.at.map().parameters().len();
             let own = |k: usize| vec![T::near(self.at.map().parameters()[k].to_f64())];
             constants.extend(missing.map(own));
-            // If derivatives by ε are requested, the last parameter is 1/ε.
+            // The equations of derivatives with respect to ε have 1/ε as their last parameter.
             constants.push(self.eps.iter().map(|eps| T::one() / *eps).collect());
         }
         Trajectories { at, eps: self.eps.clone(), constants, ..*self }
@@ -214,7 +214,7 @@ impl<T: Float> Trajectories<T> {
         found.into_iter().collect()
     }
 
-    /// Finds the trajectories that left the domain of the lift, and follows them again to the end.
+    /// Repeats the trajectories that left the lift's domain, to find the step at which each left.
     fn end_lifted(
         &self,
         from: &[T],

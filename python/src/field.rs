@@ -188,7 +188,7 @@ fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
 #[derive(FromPyObject)]
 enum FieldSource<'py> {
     Text(String),
-    /// Coefficients: states, parameters, and the columns of `kahan._coefficients.Entries`.
+    /// The names of states and parameters, and the columns of `kahan._coefficients.Entries`.
     Coefficients(Vec<String>, Vec<String>, Columns<'py>),
 }
 
@@ -374,7 +374,7 @@ impl Field {
         Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
     }
 
-    /// If the lift was chosen without an initial point, may return a warning for the orbit of `x`.
+    /// Warns if a lift chosen without an initial point has growing errors on the orbit of `x`.
     #[pyo3(name = "_relations_warning")]
     fn relations_warning(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -382,7 +382,7 @@ impl Field {
         Ok(at.and_then(|at| self.study.relations_warning(&at, eps.0)))
     }
 
-    /// Returns a note if some components change too fast for steps at some of the points `x`.
+    /// Returns a note if components change too fast for steps of 2ε at some of the points `x`.
     #[pyo3(name = "_rates_note")]
     fn rates_note(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;

@@ -46,7 +46,7 @@ impl Field {
     }
 }
 
-/// Builds the error for an orbit that float64 steps do not complete.
+/// Builds the error for an orbit that ends before the requested number of steps.
 fn ended(end: End, steps: u64) -> PyErr {
     PyValueError::new_err(format!(
         "in float64 and without compensation the orbit ends after step {} of {steps}; choose fewer steps",

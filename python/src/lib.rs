@@ -69,7 +69,7 @@ fn nearest(name: &str, known: Vec<String>) -> Option<String> {
     kahan_algebra::check::nearest(name, &known).cloned()
 }
 
-/// Scales a column for a picture. Also returns whether the results are logarithms to base 10.
+/// Returns whether pictures show the logarithms (to base 10) of this column, and the shown values.
 #[pyfunction]
 fn picture_scale(column: &str, values: Vec<f64>) -> (bool, Vec<f64>) {
     (Chart::is_logarithmic(column), values.into_iter().map(Chart::scale(column)).collect())

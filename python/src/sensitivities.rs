@@ -102,7 +102,7 @@ impl Vectors {
         self.starts.iter().flat_map(vector)
     }
 
-    /// Writes each vector of a state as row `row` of its derivative, which has `rows` rows.
+    /// Copies vector k of a state to row `row` of the k-th derivative array, which has `rows` rows.
     fn put<T: Float>(&self, vectors: &[T], derivatives: &mut [T], row: usize, rows: usize) {
         let n = self.variables.max(1);
         for (k, vector) in vectors.chunks_exact(n).enumerate() {
@@ -212,8 +212,8 @@ where
             let mut left = every;
             while left > 0 {
                 let now = left.min(MOMENT);
-                // At a pole the vectors become infinite or NaN. The error is ignored, and later
-                // rows follow.
+                // At a pole the vectors become infinite or NaN. The error is ignored, so that all
+                // rows are written.
                 let _ = with.advance(&mut state, now, &mut room);
                 left -= now;
                 if (now == MOMENT || row % MOMENT as usize == 0) && caller.made(now, steps).is_break() {

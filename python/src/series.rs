@@ -73,7 +73,7 @@ impl Field {
 }
 
 impl<T: Float> Trajectories<T> {
-    /// Follows points, and writes the shown points to `to`, with NaN after an early end.
+    /// Follows points, and writes the rows chosen by `paces` to `to`, with NaN after an early end.
     fn series(
         &self,
         from: &[T],

@@ -13,7 +13,7 @@ use crate::field::Field;
 
 #[pymethods]
 impl Field {
-    /// Returns the columns of a question's rows, how the table ended, and the number of steps.
+    /// Returns the columns of a question's rows, why the rows end, and the number of steps.
     /// `color` is an observable that becomes the last column.
     #[pyo3(name = "_table", signature = (question, *, color = None, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]

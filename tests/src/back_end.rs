@@ -1,5 +1,5 @@
 //! A trait for generated code and for the run-time interpreter, so that one test suite runs on
-//! both. All numbers are exact. An object is `None` where the map or a claim is undefined.
+//! both. All numbers are exact. A method returns `None` where the map or a claim is undefined.
 
 mod generated;
 mod interpreter;

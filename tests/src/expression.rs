@@ -9,7 +9,7 @@ use kahan_algebra::system::System;
 
 use crate::exact::{Q, q};
 
-/// A formula in some names and `eps`.
+/// A formula in given variables and `eps`.
 #[derive(Clone, Debug)]
 pub struct Expression {
     plan: Plan,

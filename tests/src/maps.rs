@@ -227,7 +227,7 @@ macro_rules! maps_of_catalog {
             vec![$(erased::<T, _, $n>(at_its_parameters!(T, $paper::$of_paper $({ $($p),* })?))),*]
         }
 
-        /// Returns the steps of the whole catalog.
+        /// Returns all systems of the catalog at their parameters.
         #[must_use]
         pub fn steps<T: Pivot>() -> Vec<Box<dyn Steps<T>>> {
             vec![

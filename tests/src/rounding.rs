@@ -107,10 +107,11 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
 
 /// Bounds the error of 2ε·v, where v = A⁻¹f is computed by elimination with partial pivoting.
 ///
-/// Let L and U be the computed factors of A, n their size, and γ_k = ku/(1 − ku). Elimination with
-/// rounded reciprocals has the effect of a change of A by at most γ_{3n+2}|L||U| (Higham, Theorem
-/// 9.4). Each row of |L||U| sums to at most n²·2ⁿ·max|A|. If E is the total change of A, and d the
-/// error of f, the error of v is at most ‖A⁻¹‖(‖E‖‖v‖ + ‖d‖)/(1 − ‖A⁻¹‖‖E‖) in the maximum norm.
+/// Let L and U be the computed factors of A, n their size, u the unit roundoff, and γ_k = ku/(1 −
+/// ku). Elimination with rounded reciprocals solves exactly a system whose matrix differs from A by
+/// at most γ_{3n+2}|L||U| (Higham, Theorem 9.4). Each row of |L||U| sums to at most n²·2ⁿ·max|A|.
+/// If E is the sum of this difference and the rounding error of A, and d the error of f, the error
+/// of v is at most ‖A⁻¹‖(‖E‖‖v‖ + ‖d‖)/(1 − ‖A⁻¹‖‖E‖) in the maximum norm.
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
     let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {

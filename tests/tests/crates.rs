@@ -186,8 +186,8 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let mut known = vec![None; units.len()];
     let name = |unit: &Value| {
         let id = unit["pkg_id"].as_str().expect("an identifier");
-        // An identifier has the form `…/crates/kahan-core#0.1.0`. If the folder has another name
-        // than the crate, it is `…/systems#kahan-systems@0.1.0`.
+        // Cargo identifies a package by a text of the form `…/crates/kahan-core#0.1.0`. If the
+        // folder has another name than the crate, it is `…/systems#kahan-systems@0.1.0`.
         let (path, version) = id.split_once('#').expect("a version");
         version.split_once('@').map_or(path.rsplit('/').next().unwrap_or(path), |(name, _)| name).to_owned()
     };

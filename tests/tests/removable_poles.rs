@@ -81,7 +81,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     );
     assert_eq!(map.reduced_map(&x, eps.clone()), read.reduced_map(&x, eps.clone()), "{name} at {x:?}");
     if let Ok(next) = map.try_step(&x, eps.clone()) {
-        // A tangent vector must be the Jacobian of the map times v, even where A is singular.
+        // `push_forward_to` must multiply v by the Jacobian of the map, even where det A = 0.
         let v = SVector::from_fn(|i, _| BigRational::new((2 * i as i64 - 3).into(), 5.into()));
         let carried = map.at(eps.clone()).tangent().push_forward_to(&x, &next, &v);
         assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");
@@ -97,7 +97,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     }
 }
 
-/// Compares the run-time maps of a text: the interpreter, projective integers and `step`.
+/// Returns the step by `try_step`, and checks that the interpreter and `HeightsOrbit` agree.
 fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Place) -> Option<Vec<Rational>> {
     let read = read_at::<N>(system, &place.parameters);
     let step = read.try_step(&vector::<N>(&place.x), place.eps.to_big()).ok();
@@ -171,8 +171,8 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// Returns a random field with x′ = u·x·z for every variable x except the last variable z. The
-/// factor 1 − εu·z cancels in the map.
+/// Returns a random field with ẋ = u·x·z for every variable x except the last variable z, where u
+/// is a random number. The factor 1 − εu·z cancels in the map.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));

@@ -118,7 +118,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             at.step(&mut next);
             time += begun.elapsed() + evaluated;
             iterations += 1;
-            // The solver returns m + 2εs, where s is the solution of the linear system.
+            // The solver returns m + 2εs, where s solves the linear system of Newton's method.
             let change: Vec<f64> = next.iter().zip(&m).map(|(next, m)| (next - m) / (2.0 * eps)).collect();
             m.iter_mut().zip(&change).for_each(|(m, change)| *m += change);
             if change.iter().all(|change| change.abs() < 1e-12) {

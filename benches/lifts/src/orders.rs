@@ -1,7 +1,8 @@
 //! Measures orders of convergence of lifted fields.
 //!
-//! Each of thirty lifted systems runs with halved steps, plainly and composed to order 4. The
-//! program prints the least and the largest ratio of successive errors between 1e-3 and 1e-9.
+//! Thirty lifted systems run with repeatedly halved steps, by Kahan's map and by a composition of
+//! order 4. The program prints the least and the largest ratio of successive errors. Only errors
+//! between 1e-9 and 1e-3 are used.
 
 use kahan_core::Composition;
 use kahan_lift::LiftCriterion;

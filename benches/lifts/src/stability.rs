@@ -1,8 +1,8 @@
 //! Compares the predicted with the observed growth of errors of a lift's relations.
 //!
-//! All lifts that `kahan lift` considers run at ε = 0.01 to the time 300. Lifts with large errors
-//! run again at ε/8 and ε/64. A lift is good if relations and states are correct at ε = 0.01. If
-//! they are correct at a smaller ε only, the lift is good at smaller ε, otherwise bad.
+//! All lifts that `kahan lift` considers run at ε = 0.01 to the time 300. Lifts with relative
+//! errors above 0.05 in relations or states run again at ε/8 and ε/64. A lift is good if its errors
+//! stay below 0.05 at ε = 0.01, good at smaller ε if only then, and otherwise bad.
 
 use std::fmt;
 

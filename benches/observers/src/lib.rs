@@ -24,7 +24,8 @@ kahan! {
 /// Half the time step, ε, of the stability maps.
 pub const MAP_EPS: f64 = 0.05;
 
-/// Returns `side`² initial states of Hénon and Heiles' system, with y and q from −0.4 to 0.4.
+/// Returns `side`² initial states (x, y, p, q) of Hénon and Heiles' system, with x = p = 0.1, and y
+/// and q from −0.4 to 0.4.
 pub fn cells(side: usize) -> Ensemble<f64, 4> {
     let axis = Axis { start: -0.4, end: 0.4, count: side };
     let fixed = Axis { start: 0.1, end: 0.1, count: 1 };

@@ -61,7 +61,7 @@ kahan! {
         u[i]dot = p[i];
         p[i]dot = (u[i+1] - 2*u[i] + u[i-1]) + alpha*((u[i+1] - u[i])^2 - (u[i] - u[i-1])^2);
     }
-    // Expanded: the bond to the left wall, u[0] - 0, has not the form u[i+1] - u[i].
+    // The sum is expanded, because no term u[i+1] - u[i] is the bond u[0] - 0 to the left wall.
     hamiltonian H = sum(p[i]^2/2 + u[i]^2 - u[i]*u[i+1] + alpha*(u[i]^2*u[i+1] - u[i]*u[i+1]^2));
 }
 

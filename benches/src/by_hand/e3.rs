@@ -38,7 +38,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes r = 2ε(x² + y²) once, and derives the other sums of squares from r.
+/// Computes 2ε(x² + y²) once, and derives the other multiples of x² + y² from it.
 pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {

@@ -45,7 +45,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes the denominator as `short_chain` does, but multiplies by 8ε, which is exact.
+/// Computes the denominator as `short_chain` does, but with 8ε, which has no rounding error.
 pub(crate) fn shortest_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (two_eps, eight_eps) = (2.0 * eps, 8.0 * eps);
     move |[x, y, z]| {

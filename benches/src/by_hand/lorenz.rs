@@ -6,7 +6,7 @@
 //! - z̃ = z + 2(q(RX + Y) − sXY − bzT)/D,
 //! - D = cT + X(kX + sY).
 //!
-//! The flow contracts volumes, so no integral can drift, and all constants are computed in advance.
+//! The system has no integral that could drift, so all constants are computed in advance.
 
 use kahan_bench_fields::Lorenz;
 

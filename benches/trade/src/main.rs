@@ -52,7 +52,6 @@ fn main() -> ExitCode {
 }
 
 struct Check {
-    /// The number of choices that were checked.
     choices: usize,
     within: usize,
     prices: usize,

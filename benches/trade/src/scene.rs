@@ -1,4 +1,4 @@
-//! A compiled field with a start, a time span and a reference; errors and prices of settings.
+//! Measures errors and prices of settings for a compiled field, a start and a time span.
 
 use std::hint::black_box;
 use std::time::Instant;

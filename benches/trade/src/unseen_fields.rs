@@ -37,7 +37,7 @@ fields! {
         zdot = x*y + x/3 - y/5;
     }
 
-    /// Predators that get tired.
+    /// Prey with limited growth, and predators.
     Tired {
         xdot = x*(1 - y) - x^2/10;
         ydot = y*(x - 1/2);
@@ -50,7 +50,7 @@ fields! {
         zdot = -1/2*x*y - x/4;
     }
 
-    /// Three resonant waves a = p + iq, b = r + is, c = u + iv: ȧ = b*c, ḃ = ca*, ċ = −ab.
+    /// Waves a = p + iq, b = r + is, c = u + iv with ȧ = conj(b)·c, ḃ = conj(a)·c, ċ = −ab.
     ThreeWaves {
         pdot = r*u + s*v;
         qdot = r*v - s*u;
@@ -60,7 +60,7 @@ fields! {
         vdot = -(p*s + q*r);
     }
 
-    /// Four species in a row, each eating the one before, with weights.
+    /// Four species in a row. All but the first eat the one before, at different rates.
     Chain {
         xdot = x*(1 - 2*y);
         ydot = y*(2*x - 1/2 - z);
@@ -68,7 +68,7 @@ fields! {
         wdot = w*(3/2*z - 1/4);
     }
 
-    /// Hénon and Heiles' galaxy as they wrote it.
+    /// Hénon and Heiles' system for the motion of a star in a galaxy.
     Galaxy {
         xdot = u;
         ydot = v;
@@ -76,7 +76,7 @@ fields! {
         vdot = -y - x^2 + y^2;
     }
 
-    /// Nahm's equations with octahedral symmetry: along its solutions a pole is never far.
+    /// Nahm's equations with octahedral symmetry, whose solutions come close to poles.
     Nahm {
         xdot = 2*x^2 - 12*y^2;
         ydot = -6*x*y - 4*y^2;
@@ -96,13 +96,13 @@ fields! {
         zdot = 30000000*y^2;
     }
 
-    /// A fast variable that is the slave of a slow one: stiff.
+    /// A slow variable x, and a variable y that quickly follows x²: stiff.
     Slave {
         xdot = x - x*y;
         ydot = 500*(x^2 - y);
     }
 
-    /// Field and Noyes' oregonator, softened: a relaxation oscillation.
+    /// Field and Noyes' oregonator with less extreme coefficients: a relaxation oscillation.
     Relaxation {
         xdot = 20*(y - x*y + x - x^2/500);
         ydot = (z - y - x*y)/20;

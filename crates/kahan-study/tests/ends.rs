@@ -9,7 +9,7 @@ use kahan_study::{
 };
 use serde_json::json;
 
-/// For each case a field, a start, ε, a number of steps, and the end of the orbit.
+/// Cases: a field, a start, ε, a number of steps, and the expected end of the orbit.
 const ENDS: [(&str, &[&str], &str, u64, End); 6] = [
     // 1/x falls by 2ε in each step, so the tenth step is at the pole of the map.
     ("xdot = x^2;", &["1"], "1/20", 11, End::Range(9)),

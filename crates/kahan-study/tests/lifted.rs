@@ -1,4 +1,4 @@
-//! Lifted fields: points in the original variables, and the behaviour of the relations' errors.
+//! Tests points of lifted fields, and errors of the relations between new and original variables.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
@@ -40,7 +40,7 @@ fn rational_lifts_embed_exactly() {
     let point = study.point(&rational(&[(1, 3)])).unwrap();
     let new: Vec<&str> = study.variables()[1..].iter().map(String::as_str).collect();
     assert!(!new.is_empty());
-    // The new variables are powers of 1/(3 + x), and 3/10 is not a float.
+    // At x = 1/3, the new variables are powers of 1/(3 + x) = 3/10, which is not a float.
     let powers: Vec<Rational> = (1..4).map(|k| Rational::new(3_i64.pow(k), 10_i64.pow(k))).collect();
     assert!(point[1..].iter().all(|value| powers.contains(value)), "{new:?}: {point:?}");
 }
@@ -132,7 +132,7 @@ fn a_lift_to_show_is_chosen_along_an_orbit() {
     let study = subject.study_to_show(&Systems).unwrap();
     assert_eq!(study.lift_start(), Some(rational(&[(1, 1), (1, 2)])));
     assert_eq!(fates(study), Some(RelationFate::Decays));
-    // A lift of a text with a start is chosen along the orbit of that start.
+    // If the text gives a start, the lift is chosen along the orbit from there.
     let begun = Subject::text(format!("{neuron}\ninit v=1, w=0")).lifted(LiftCriterion::Automatic);
     assert_eq!(begun.study_to_show(&Systems).unwrap().lift_start(), Some(rational(&[(1, 1), (0, 1)])));
     let generic = Subject::text(PENDULUM).lifted(LiftCriterion::Automatic).study_to_show(&Systems).unwrap();

@@ -1,4 +1,4 @@
-//! Tests that exponents of lifted fields are those of the original equations.
+//! Tests that Lyapunov exponents of lifted fields are those of the original equations.
 //!
 //! The reference integrates the original equations and their variational equations by the classical
 //! Runge–Kutta method. The sum of exponents is the mean divergence of the original field.

@@ -1,4 +1,4 @@
-//! Sections of many orbits have the rows, ends and bits of single orbits.
+//! Tests that the section of many orbits equals the sections of the single orbits, bit for bit.
 
 use std::ops::ControlFlow;
 
@@ -161,7 +161,7 @@ fn times_of_crossings_have_the_order_of_the_method() {
     }
 }
 
-/// Rössler's maxima take one value for c below the first period doubling, and two values above it.
+/// Maxima of x in Rössler's system take one value for c = 5/2, and two values for c = 7/2.
 #[test]
 fn a_diagram_shows_periods_that_double() {
     let study = rossler();
@@ -198,7 +198,7 @@ fn a_carried_orbit_goes_on() {
     let carried = asked(&turn, &Section { carry: true, ..plain });
     assert_eq!(anew.count(), 6);
     assert_eq!(carried.point(0), anew.point(0));
-    // The orbit starts on the section, so it makes a full turn before the first crossing.
+    // The carried orbit for w = 1.5 starts on the section, so a full turn precedes its crossing.
     let [first, next] = [&anew, &carried].map(|found| found.times()[2] * 1.5 / std::f64::consts::TAU);
     assert!((first - 0.75).abs() < 0.01 && (next - 1.0).abs() < 0.02, "{first} {next}");
 }

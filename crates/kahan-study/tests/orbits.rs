@@ -52,7 +52,7 @@ fn every_sort(steps: u64) -> Vec<Orbit> {
         let orbit = Orbit { scalar, ..asked(steps) };
         sorts.push(Orbit { projective: true, ..orbit.clone() });
         for method in Method::ALL {
-            // A Runge–Kutta step multiplies the length of exact numbers by sixteen.
+            // Exact Runge–Kutta steps are left out: each makes numbers sixteen times as long.
             if scalar != ScalarKind::Exact || [Method::Kahan, Method::Euler].contains(&method) {
                 sorts.push(Orbit { method, ..orbit.clone() });
             }
@@ -287,7 +287,7 @@ fn every_method_shows_the_integrals_that_it_keeps() {
     let orbit = Orbit::new(rational(1, 20), at, 50);
     let (own, drift) = columns(orbit.clone());
     assert!(own != 7.0 && drift < 1e-13, "{own}, {drift}");
-    // x z + y² is 7. The flow preserves this integral, and a composition nearly does.
+    // At the start the integral xz + y² is 7. The flow preserves it, a composition nearly does.
     let (flow, drift) = columns(Orbit { method: Method::Flow, ..orbit.clone() });
     assert!(flow == 7.0 && drift < 1e-13, "{flow}, {drift}");
     for other in [Orbit { order: 8, ..orbit.clone() }, Orbit { method: Method::Rk4, ..orbit.clone() }] {

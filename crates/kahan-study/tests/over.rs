@@ -1,4 +1,4 @@
-//! Questions over axes: numbers of cells, rows, and the independence of rows from threads.
+//! Tests questions about every cell of a grid: their rows, for any number of threads.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -192,7 +192,7 @@ fn other_questions_have_rows_too() {
     let found = json!(found);
     assert_eq!(found["columns"], json!(["index", "a", "next_x", "next_y", "det_A", "det_jacobian"]));
     assert_eq!(found["rows"][0], json!([0, 0.0, null, null, null, null]));
-    // The matrix is A = [[1, −ε], [2εx, 1]].
+    // The matrix of Kahan's map is A = [[1, −ε], [2εx, 1]], so det A = 1 + 2ε²x.
     assert_eq!(found["rows"][1][4], json!(1.02));
     let found =
         json!(of(json!({"ask": "heights", "eps": 1, "at": [1, "1/2"], "steps": 4})).expect("an answer"));

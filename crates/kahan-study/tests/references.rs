@@ -29,8 +29,8 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
     Reference::of(map, &asked, &TrajectoryLimits::default())
 }
 
-/// Each step of the series adds some rounding errors of double-double, u = 2⁻¹⁰⁶ ≈ 1.2e-32. The
-/// flows amplify these errors by at most 10⁴.
+/// The flows amplify rounding errors u = 2⁻¹⁰⁶ ≈ 1.2e-32 of double-double by at most 10⁴. The
+/// remaining factor of 8 allows for several rounding errors.
 const AGREEMENT: f64 = 1e-27;
 
 #[test]

@@ -198,7 +198,7 @@ impl Cli {
         (text, u8::from(!is_whole))
     }
 
-    /// Returns the shard to compute, and the number of the sweep's processes on this machine.
+    /// Returns the shard to compute, and how many processes of the sweep run on this machine.
     fn shard(&self) -> Result<(Shard, usize), String> {
         let said = self.shard.as_deref();
         if let Some(text) = said.filter(|text| *text != "auto") {

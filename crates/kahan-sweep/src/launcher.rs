@@ -8,7 +8,7 @@ use crate::run::Shard;
 pub(crate) struct RecognisedLauncher {
     pub(crate) shard: Shard,
     pub(crate) sentence: String,
-    /// The number of the sweep's processes on this machine; 1 if unknown.
+    /// The count of the sweep's processes on this machine; 1 if unknown.
     pub(crate) beside: usize,
 }
 
@@ -45,8 +45,8 @@ struct LaunchLevel {
     of: u64,
 }
 
-/// Reads the environment; `None` if no launcher is known. If the tasks of an array start numbered
-/// processes, each process of each task is a shard.
+/// Reads the environment; `None` if no launcher is recognised. If the tasks of an array start MPI
+/// processes, each of these processes computes one shard.
 pub(crate) fn detect(
     get: &dyn Fn(&str) -> Result<String, VarError>,
 ) -> Result<Option<RecognisedLauncher>, String> {
@@ -64,7 +64,7 @@ pub(crate) fn detect(
     if places.is_empty() {
         return Ok(None);
     }
-    // The innermost of nested launchers varies fastest.
+    // The index of the innermost launcher varies fastest.
     let shard = places.iter().fold(Shard::WHOLE, |Shard { index, of }, place| Shard {
         index: index * place.of + place.index,
         of: of * place.of,
@@ -148,7 +148,7 @@ mod tests {
         assert_eq!(found(&[("PBS_ARRAY_INDEX", "2"), ("KAHAN_SHARDS", "6")]), Some(Ok((1, 6))));
         let srun = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "1"), ("SLURM_NTASKS", "3")];
         assert_eq!(found(&srun), Some(Ok((1, 3))));
-        // A batch script also has these variables, but is a single process.
+        // A batch script has all these variables but SLURM_STEP_ID, and is a single process.
         assert_eq!(found(&srun[1..]), None);
         assert_eq!(found(&[("KAHAN_SHARD_INDEX", "5"), ("KAHAN_SHARDS", "6"), slurm[0]]), Some(Ok((5, 6))));
         let grid_engine = [("SGE_TASK_ID", "undefined"), ("SGE_TASK_FIRST", "undefined")];

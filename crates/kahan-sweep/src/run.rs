@@ -165,8 +165,8 @@ struct PartWork {
 }
 
 impl PartWork {
-    /// Adds rows, and updates the journal when it is due. Of several errors in a row, returns only
-    /// the first.
+    /// Adds rows, and updates the journal when it is due. Returns the error of writing the journal
+    /// unless the previous writing failed, too.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;

@@ -51,7 +51,7 @@ impl Lexer<'_> {
         let text = &self.text[self.at..self.at + length];
         let text = text.strip_prefix("r#").filter(|_| kind == TokenKind::Identifier).unwrap_or(text);
         let text_of_sign = match kind {
-            // Signs are half of a field's tokens; borrowed texts avoid allocations.
+            // Half of a field's tokens are punctuation. Borrowed texts save an allocation for each.
             TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c) => {
                 PUNCTUATION.find(c).map(|place| Cow::Borrowed(&PUNCTUATION[place..=place]))
             }
@@ -144,7 +144,7 @@ impl Lexer<'_> {
             && !before.is_some_and(|c| c == '.' || c.is_ascii_digit() || continues_identifier(c))
     }
 
-    /// Returns the signs that the next characters stand for, and the number of bytes read.
+    /// Returns the ASCII text for an operator such as `−` or `²`, and the number of bytes read.
     fn signs(&self, c: char) -> Option<(&'static str, usize)> {
         let signs = match c {
             '*' if self.peek(1) == Some('*') => return Some(("^", 2)),
@@ -206,7 +206,7 @@ pub(crate) fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
-/// Returns whether `c` may continue a name, also as a combining mark such as Newton's dot.
+/// Returns whether `c` may continue a name. Combining marks such as Newton's dot may, too.
 fn continues_identifier(c: char) -> bool {
     starts_identifier(c) || c.is_ascii_digit() || ('\u{300}'..='\u{36f}').contains(&c)
 }

@@ -240,7 +240,7 @@ impl From<BigInt> for Rational {
     }
 }
 
-/// The denominator must be nonzero.
+/// The denominator must be nonzero, which `BigRational::new_raw` does not check.
 impl From<BigRational> for Rational {
     fn from(value: BigRational) -> Self {
         Self::from_normal(value.reduced())

@@ -30,13 +30,13 @@ pub struct Block<X = FamilySyntax> {
     pub lift: Option<Span>,
     /// Constants, such as `const xi = 1/2;`.
     pub constants: Vec<Constant<X>>,
-    /// Equations, such as `xdot = y*z;`. In a family, the states are named by its arrays.
+    /// Equations, such as `xdot = y*z;`. In a family, the equation of `x[i]` has the state `x`.
     pub equations: Vec<Equation<X>>,
     /// The head of the family, such as `for i in periodic { … }`.
     pub family: Option<FamilyHead>,
     /// The claims, which begin with `integral`, `density`, `bracket` or `drift`.
     pub claims: Vec<Claim>,
-    /// The Hamiltonians of a family, `hamiltonian H = sum(…);`, stored as claims of integrals.
+    /// The Hamiltonians of a family, `hamiltonian H = sum(…);`, stored with the kind `Integral`.
     pub hamiltonians: Vec<Claim>,
     /// Left-hand sides without `dot`, which were already reported.
     pub misspelt_states: Vec<Name>,
@@ -268,7 +268,7 @@ impl Expr {
         }
     }
 
-    /// Replaces names by numbers. In products that gain numbers, the numeric factors are combined.
+    /// Replaces names by numbers, and multiplies the numeric factors of a product if this adds any.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.kind {
             ExprKind::Number(_) | ExprKind::Special(FamilySyntax::Site { .. }) => {}
@@ -366,7 +366,7 @@ pub enum ExprKind<X = FamilySyntax> {
     Special(X),
 }
 
-/// The syntax of a family that goes beyond arithmetic.
+/// Syntax of families beyond arithmetic: values at sites, and sums over all sites.
 #[derive(Clone, Debug)]
 pub enum FamilySyntax {
     /// A value at a site, such as `x[i]`, `x[i+1]` or `x[i-2]`.
@@ -380,7 +380,7 @@ pub enum FamilySyntax {
     OverSites(Box<Expr>),
 }
 
-/// The syntax of a formula that goes beyond arithmetic: function calls and general powers.
+/// Syntax of formulas beyond arithmetic: function calls and general powers.
 #[derive(Clone, Debug)]
 pub enum FormulaSyntax {
     /// A function call `name(a, …)`.

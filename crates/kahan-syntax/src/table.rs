@@ -1,7 +1,8 @@
 //! Sorted lists and maps of a few dozen entries.
 //!
-//! The sort and the maps of the standard library are compiled anew for every type. They would be a
-//! third of the code that each user of the macro compiles. Insertion in order takes little code.
+//! The sort and the maps of the standard library are compiled anew for every type. With them, a
+//! third of the code that each user of the macro compiles would be sorts and maps. Insertion in
+//! order takes little code.
 
 use std::cmp::Ordering;
 use std::ops::Index;

@@ -1,7 +1,7 @@
-//! Checks every formula of the paper and prints the verdicts of `kahan-paper`.
+//! Checks every formula of Hone and Petrera's paper by `kahan-paper`, and prints the verdicts.
 //!
 //! The exit status is 1 if a claim fails, and 2 for wrong arguments. New users build this program
-//! first, so it depends on little else.
+//! first, so it has few dependencies.
 
 use std::env::args_os;
 use std::io::{IsTerminal, Write, stderr, stdout};

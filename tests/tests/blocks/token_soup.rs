@@ -274,7 +274,7 @@ fn a_sum_of_twenty_thousand_terms_is_read() {
     let others: String = (1..40).map(|i| format!("x{i}dot = 0;")).collect();
     let reading = read_text(&format!("x0dot = {}; {others}", long_sum()));
     assert!(reading.diagnostics().is_empty());
-    // xᵢxⱼ and xⱼxᵢ are equal products, so for each power of `a` the 1600 terms are 820 products.
+    // Each power of `a` has 40·40 terms xᵢxⱼ, which are 820 different products, as xᵢxⱼ = xⱼxᵢ.
     let terms = reading.system().expect("a system").field.components[0].numerator().len();
     assert!((10_000..=20_000).contains(&terms), "{terms}");
 }

@@ -1,4 +1,4 @@
-//! Tests that a `const` parameter is substituted before the map is reduced.
+//! Tests that a `const` parameter is substituted before the map is reduced to lowest terms.
 
 use kahan_algebra::plan::{Operation, Plan, StepPlan};
 use kahan_tests::expression::read_unproved;

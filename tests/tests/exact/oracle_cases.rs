@@ -135,7 +135,7 @@ fn the_brackets_are_the_oracle_s() {
             compared[1] += usize::from(case.scalar("c").and(case.matrix("Q")).is_some());
             for back_end in catalog(name, &case.parameters()).back_ends() {
                 assert_eq!(back_end.bracket("P", &x, &eps), case.matrix("P"), "{}", back_end.label());
-                // The function c = 1/x² is undefined at x = 0.
+                // In E1 and E3, c = 1/x² is undefined at x = 0, and the case has no c.
                 if let Some(c) = case.scalar("c") {
                     let times_c = |m: Matrix| m.iter().map(|row| scaled(&c, row)).collect::<Matrix>();
                     assert_eq!(
@@ -187,8 +187,8 @@ fn the_integral_of_lotka_volterra_at_eps_one_and_minus_one_is_the_oracle_s() {
     assert_eq!(compared, 2);
 }
 
-/// The claim of the catalog times (2ε)^(1−ξ) is Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u) with u = 1/(2εx),
-/// because the quotient is about u^(ξ−1).
+/// For an integer ξ, the catalog's claim times (2ε)^(1−ξ) is the oracle's value of Ĥ₇ = (y/x)
+/// Γ(ξ/2+u)/Γ(1−ξ/2+u), where u = 1/(2εx) and Γ is the gamma function.
 #[test]
 fn the_claims_of_e7_at_integers_are_the_oracle_s() {
     let mut compared = 0;

@@ -171,7 +171,7 @@ fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
                 let (right, left) = (right.expect("beside the pole"), left.expect("beside the pole"));
                 for i in 0..3 {
                     let slope = (&right[i] - &left[i]) / (q(2, 1) * &small);
-                    // The error of the central difference is at most 10⁶·small².
+                    // The error of the central difference is at most 10⁶·small², which is `small`.
                     let error = slope - &jacobian[i][j];
                     assert!(error < small && -error < small, "{}: entry ({i},{j})", back_end.label());
                 }

@@ -16,7 +16,7 @@ fn starts() -> impl Iterator<Item = SVector<f64, 3>> {
     })
 }
 
-/// The root mean square and the mean of the change of an integral after `steps` steps.
+/// The root mean square and the mean, over all orbits, of an integral's change after `steps` steps.
 #[derive(Debug)]
 struct Drift {
     steps: u64,

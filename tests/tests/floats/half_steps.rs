@@ -1,4 +1,4 @@
-//! Tests steps for every size of ε, in particular at the borders between different forms of a step.
+//! Tests steps for every size of ε, in particular where generated code switches to another formula.
 //! For small ε the error is about half an ulp. For large ε it is at most 64 u times the largest
 //! component, as `try_step` guarantees, where u is the unit roundoff.
 
@@ -72,7 +72,7 @@ fn a_tiny_half_step_moves_nothing() {
     }
 }
 
-/// Near ε = 2⁻¹⁶, where `f32` steps change their form, both forms err by at most one ulp.
+/// Near ε = 2⁻¹⁶, where `f32` steps switch between two formulas, both err by at most one ulp.
 #[test]
 fn steps_on_either_side_of_the_border_agree() {
     let mut draws = SplitMix64::new(73);
@@ -91,8 +91,8 @@ fn steps_on_either_side_of_the_border_agree() {
     }
 }
 
-/// For ε near 2⁶⁴, where the code of a step changes its form, and far beyond, `try_step` is within
-/// its bound, or fails.
+/// Near ε = 2⁶⁴, where steps switch to another formula, and for much larger ε, `try_step` fails, or
+/// its error is at most 64 units of roundoff times the largest component.
 #[test]
 fn huge_half_steps_keep_the_promise() {
     let mut draws = SplitMix64::new(74);

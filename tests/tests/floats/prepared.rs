@@ -11,7 +11,7 @@ use kahan_tests::subject::{Subject, paper, random};
 
 const STEPS: usize = 50;
 
-/// The values of ε at which the code of a step changes its form, for `f32` and `f64`.
+/// The values of ε at which steps in `f32` (the first two) and `f64` switch to another formula.
 const BORDERS: [f32; 4] =
     [1.0 / 65_536.0, 65_536.0, 1.0 / 18_446_744_073_709_551_616.0, 18_446_744_073_709_551_616.0];
 

@@ -100,8 +100,8 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     assert_eq!(map.orbit(start).nth(5), ThroughF64(E6).orbit(start, eps).nth(5));
 }
 
-/// For ε = ½ the map of E1 has x̃ = x/(1 + x). Near its pole and for large y the result exceeds the
-/// range of `f32`.
+/// For ε = ½ the map of E1 has x̃ = x/(1 + x) and ỹ = y/(1 + x). For large y and x near −1, ỹ
+/// exceeds the range of `f32`.
 #[test]
 fn what_f32_cannot_hold_is_flagged() {
     let pole = ThroughF64(E1).try_step(&vector![-1.0_f32, 1.0, 0.0], 0.5);

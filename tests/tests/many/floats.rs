@@ -10,7 +10,7 @@ use super::systems::{ARROW, Arrow, CASCADE, Cascade, RING, Ring, WEB, Web};
 
 trait Judged: MachineFloat + ParameterValue + Pivot + ToPrimitive {
     const UNIT: f64;
-    /// The greatest power of ten by which states are scaled.
+    /// States are scaled by powers of ten with exponents from −`SIZES` to `SIZES`.
     const SIZES: i32;
     fn near(value: f64) -> Self;
 }

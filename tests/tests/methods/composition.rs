@@ -55,8 +55,8 @@ fn integrals_without_eps_survive_and_those_with_eps_do_not() {
     assert_ne!(E3.integrals(&e3, eps.clone())[1], E3.integrals(&x, eps)[1]);
 }
 
-/// The integrals H and K have a common denominator. A composition preserves H/K and the density
-/// c/(HK), but neither H nor K.
+/// The integrals H = P/D and K = Q/D have a common denominator D. A composition preserves H/K and
+/// the density 1/(PQ), but neither H nor K.
 fn keeps_the_ratio_and_the_measure<M>(name: &str, map: &M, density: impl Fn(&M, &Point, Q) -> Q)
 where
     M: KahanMap<Q, 3> + Integrals<Q, 3, 2>,

@@ -1,5 +1,5 @@
-//! Measures the order of the method for nonlinear fields with closed solutions (Table 5). Linear
-//! fields would hide a wrong bilinear form.
+//! Measures the order of the method for nonlinear fields with solutions in closed form (Hone and
+//! Petrera, Table 5). Linear fields cannot reveal a wrong bilinear form.
 
 use kahan_core::prelude::*;
 use kahan_systems::{E1, E2, E3, E5};

@@ -1,7 +1,7 @@
 //! The list of weakenings, which are deliberate mistakes in code, each with the tests that must
 //! fail.
 
-/// A change that weakens a proof, or the code that a test checks.
+/// A deliberate mistake: `weaker` replaces `text` in `file`, and one of `tests` must fail.
 pub(crate) struct Weakening {
     pub(crate) name: &'static str,
     pub(crate) file: &'static str,

@@ -1,4 +1,4 @@
-//! Weakenings, which are deliberate mistakes, of machine code and of programs of steps.
+//! Deliberate mistakes in generated machine code and in step programs, which tests must find.
 
 use super::list::Weakening;
 

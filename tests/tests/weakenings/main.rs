@@ -54,7 +54,7 @@ fn copy_workspace() {
     if found {
         return update(root(), &folder());
     }
-    // Modification times are kept, so that builds stay valid.
+    // The copy gets its final name last, so that no interrupted copy has this name.
     let begun = made.with_extension("begun");
     let builds = builds();
     copy(root(), &begun.join("workspace"), &|path| !is_left_out(path));

@@ -1,5 +1,5 @@
-//! Weakenings, which are deliberate mistakes, of results on periodic points, tangent vectors, and
-//! continuation through poles.
+//! Deliberate mistakes in code for periodic points, tangent vectors and continuation through poles,
+//! which tests must find.
 
 use super::list::Weakening;
 

@@ -1,4 +1,4 @@
-//! Converts some parts of the answer to a [`Trade`](super::Trade) to JSON.
+//! Converts the parameters, scene and settings of an answer to a [`Trade`](super::Trade) to JSON.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};

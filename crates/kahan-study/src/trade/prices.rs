@@ -1,7 +1,7 @@
 //! The measured time of a step of each scheme on this machine, in nanoseconds.
 //!
-//! For an interpreted field, the compiled system E6 is timed instead, and the times are scaled by
-//! the planned costs of both steps.
+//! For an interpreted field, steps of the compiled system E6 are timed instead. Their times are
+//! multiplied by the ratio of the planned costs of a step of the field and a step of E6.
 
 use kahan_core::StepCost;
 use kahan_dynamics::{Need, Precision, Scheme};
@@ -16,8 +16,8 @@ const TIMING_ROUNDS: usize = 15;
 const TIMED_STAGES: u64 = 2040;
 
 impl Prices {
-    /// Times every scheme in rounds. ε is at most the given one, and so small that a round ends
-    /// before the horizon, beyond which states may be subnormal and slow.
+    /// Times every scheme in rounds. ε is at most `eps`, and so small that timed orbits end before
+    /// `horizon`, because later states may be subnormal numbers, which are slow.
     pub(super) fn of(subject: &Runner<'_>, eps: f64, horizon: f64) -> Self {
         let mut prices = Prices(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
         for _ in 0..TIMING_ROUNDS {
@@ -32,8 +32,8 @@ impl Prices {
                 *least = least.min(time);
             }
         }
-        // Vectorised steps in single precision can take twice the time, so they are priced at least
-        // like steps in double precision.
+        // A compiler may vectorise a step in single precision, which can double its time, so it is
+        // priced at least like a step in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {
@@ -44,11 +44,10 @@ impl Prices {
         prices
     }
 
-    /// Converts the prices of a step with the cost `measured` to prices of a step with the cost
-    /// `asked`.
+    /// Converts prices measured for a step of cost `measured` to prices for a step of cost `asked`.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
-            // The number of operations determines the time, since hundreds of them are independent.
+            // A step has hundreds of independent operations, so their number determines its time.
             Precision::DoubleDouble => f64::from(asked.operations) / f64::from(measured.operations),
             _ => asked.cycles() / measured.cycles(),
         };

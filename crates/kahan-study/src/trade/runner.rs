@@ -60,8 +60,8 @@ impl<'a> Runner<'a> {
         self.follow(scheme, eps, None, &mut once(steps), &mut |_, _| ControlFlow::Continue(()))
     }
 
-    /// Follows an orbit from `from`, by default the start of the scene. Shows the first point and
-    /// the points at `stops`, until `visit` ends the orbit. Returns the time in seconds.
+    /// Follows an orbit from `from`, by default the start of the scene. Calls `visit` with the
+    /// first point and the points at `stops`, until it ends the orbit. Returns the time in seconds.
     pub(super) fn follow(
         &self,
         scheme: Scheme,
@@ -146,7 +146,7 @@ impl Runner<'_> {
     }
 }
 
-/// Pads a point with zeros for constant variables, and converts its coordinates.
+/// Converts the coordinates of a point by `number`, and appends zeros up to N coordinates.
 fn padded<T: Scalar, const N: usize>(x: &[Dd], number: impl Fn(Dd) -> T) -> SVector<T, N> {
     SVector::from_fn(|i, _| number(x.get(i).copied().unwrap_or_default()))
 }

@@ -5,7 +5,7 @@ use kahan_dynamics::{Precision, Setting};
 
 use crate::study::Study;
 
-/// Writes the orbit of a setting as a statement, preceded by the block of a user's field.
+/// Writes the orbit of a setting in Rust, after a `kahan!` block if the field has no type name.
 pub(super) fn rust_statement(
     study: &Study,
     parameters: &[Rational],
@@ -33,7 +33,7 @@ pub(super) fn rust_statement(
     };
     let mut point: Vec<String> = start.iter().map(value).collect();
     if let (true, Some(first)) = (precision.is_single(), point.first_mut()) {
-        // A type suffix on one coordinate determines the scalar of all coordinates.
+        // The suffix `_f32` on the first coordinate determines the scalar of all coordinates.
         if !first.contains('_') {
             *first += "_f32";
         }

@@ -9,10 +9,9 @@ use super::measure::SettingMeasurements;
 pub(super) const MEASURED: SearchParameters =
     SearchParameters { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
 const SHARE: f64 = 0.3;
-/// Errors of `f64` above this size are not caused by rounding.
 const UNEVEN_ERROR: f64 = 1e-11;
 
-/// A search over step sizes, with the schemes whose errors have stopped falling.
+/// A search for the cheapest setting; `stalled` lists schemes whose errors have stopped falling.
 pub(super) struct RefinementSearch<'a> {
     pub(super) search: Search<SettingMeasurements<'a>>,
     pub(super) tolerance: f64,
@@ -20,7 +19,7 @@ pub(super) struct RefinementSearch<'a> {
 }
 
 impl RefinementSearch<'_> {
-    /// Measures until the answer is clear, with at least `coarsest` steps up to the horizon.
+    /// Tries schemes, each with at least `coarsest` steps from the start to the horizon.
     pub(super) fn run(&mut self, coarsest: u64) {
         self.refine_order(coarsest);
         self.search.set_share(1.0);
@@ -50,7 +49,7 @@ impl RefinementSearch<'_> {
         if self.search.best().is_none() {
             self.refine_steps(plain(Precision::DoubleDouble, highest), coarsest);
         }
-        // If rounding errors of f64 matter, double-double may win in spite of its tenfold cost.
+        // The orders at which `f64` suffers from rounding, so that double-double may be cheaper.
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {

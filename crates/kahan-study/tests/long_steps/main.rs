@@ -4,9 +4,9 @@
 //! # Bounds
 //!
 //! Points have ‖εf′‖∞ near 1, 10, 100 and 1000. The error of a step in `f64` is ‖x̃ −
-//! exact‖∞/(u‖exact‖∞), u = 2⁻⁵³. Up to the size to which a step [holds](StepPlan::holds_to), the
-//! median error is at most the larger of 300 and 30 times that of elimination. The 99th percentile
-//! is at most the larger of 1000 and 100 times that of elimination.
+//! exact‖∞/(u‖exact‖∞), u = 2⁻⁵³. If ‖εf′‖∞ is at most [`holds_to`](StepPlan::holds_to), the median
+//! error is at most the larger of 300 and 30 times that of elimination, and the 99th percentile is
+//! at most the larger of 1000 and 100 times that of elimination.
 //!
 //! A command runs the large sample of 300 fields; `KAHAN_SEED` draws other fields and points:
 //! `KAHAN_SEED=7 cargo test --release -p kahan-study --test long_steps -- --ignored --nocapture`.
@@ -68,7 +68,7 @@ impl<'a> Linear<'a> {
         (run(&self.matrix).chunks(n).map(<[A::Value]>::to_vec).collect(), run(&self.right))
     }
 
-    /// Returns ‖f′‖∞, computed from A at ε = 1.
+    /// Returns ‖f′‖∞. At ε = 1, the matrix of Kahan's map is I − f′.
     fn norm(&self, values: &[f64]) -> f64 {
         let mut values = values.to_vec();
         *values.last_mut().expect("ε is the last") = 1.0;
@@ -135,8 +135,7 @@ fn error(exact: &[(f64, f64)], next: &[f64]) -> f64 {
     largest / (size * f64::EPSILON / 2.0)
 }
 
-/// Returns the errors of several plans of a step at random points, followed by the errors of
-/// elimination.
+/// Returns the errors at random points of each plan in `steps`, and then those of elimination.
 fn errors(
     linear: &Linear<'_>,
     steps: &[&StepPlan],

@@ -18,7 +18,7 @@ fn what_orbits_do() {
     let observed = answer(&turning, asked.clone());
     // Each step turns by an angle; the tangent of half this angle is ε.
     let turns = 0.05_f64.atan() / std::f64::consts::PI;
-    // Clockwise rotation is negative. A mean over 10⁴ steps has up to 10⁴ rounding errors.
+    // Clockwise rotation is negative. The tolerance is one rounding error for each of 10⁴ steps.
     let value = observed["rotation"]["x"]["value"].as_f64().expect("a number");
     assert!((value + turns).abs() < 1e4 * f64::EPSILON * turns, "{observed}");
     assert!(observed["drift"]["E"]["max"].as_f64().is_some_and(|drift| drift < 1e-11), "{observed}");

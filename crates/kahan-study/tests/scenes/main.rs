@@ -17,7 +17,7 @@ use seeded_fields::*;
 
 #[derive(Clone, Debug)]
 enum Outcome {
-    /// The truth is unknown; holds whether a setting was chosen.
+    /// The true error is unknown; `is_accepted` tells whether a setting was chosen.
     Unjudged { is_accepted: bool },
     /// A setting was chosen; holds its error divided by the tolerance.
     Accepted { ratio: f64 },

@@ -30,7 +30,7 @@ pub(crate) trait Cases<const N: usize> {
     fn start(rng: &mut SplitMix64) -> [f64; N];
 }
 
-/// Declares a field with its simulated times, its starts and its block.
+/// Declares a field by the text of a `kahan!` block, with the range of horizons and random starts.
 macro_rules! case {
     ($(#[$doc:meta])* $name:ident[$n:literal], $low:literal..$high:literal, |$rng:ident| $start:expr, { $($block:tt)* }) => {
         kahan! {
@@ -102,7 +102,7 @@ case!(
     { xdot = 20*(y - x*y + x - x^2/500); ydot = (z - y - x*y)/20; zdot = (x - z)/6; }
 );
 case!(
-    /// Growth with limits; quiet to begin with.
+    /// Logistic growth; states near the equilibrium 0 change slowly at first.
     Growth[1], 1.0..60.0, |rng| start!(rng, [0.01..2.0], [off(rng).abs()]), { xdot = x*(1 - x); }
 );
 case!(
@@ -111,7 +111,7 @@ case!(
     { sdot = -5/2*s*i; idot = 5/2*s*i - i; rdot = i; }
 );
 case!(
-    /// Riccati's equation and a companion: escapes to infinity.
+    /// Riccati's equation for x, which drives y; orbits may escape to infinity.
     Escape[2], 0.1..4.0, |rng| start!(rng, [-2.0..1.0, -1.0..1.0], [off(rng), off(rng)]),
     { xdot = 1 + x^2; ydot = x*y - y^2; }
 );
@@ -155,7 +155,7 @@ case!(
     { xdot = y; ydot = 6*x^2 - 2; }
 );
 case!(
-    /// Sprott's case B: chaos without an equilibrium far away.
+    /// Sprott's case B: chaos; the equilibria are (1, 1, 0) and (−1, −1, 0).
     Simple[3], 1.0..80.0, |rng| start!(rng, [-2.0..2.0, -2.0..2.0, -2.0..2.0], [1.0, 1.0 + off(rng), off(rng)]),
     { xdot = y*z; ydot = x - y; zdot = 1 - x*y; }
 );

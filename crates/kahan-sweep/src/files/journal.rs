@@ -68,7 +68,7 @@ impl Journal {
     }
 }
 
-/// Returns the kind of a part's records, a hash of plan, version and floating-point mode.
+/// Returns a hash of plan, version and floating-point mode, which marks the records of a part.
 fn record_kind(part: &Part<'_>) -> [u8; 8] {
     let digest = Sha256::digest([&part.plan.hash(), VERSION, FLOATS].join("\n"));
     std::array::from_fn(|place| digest[place])

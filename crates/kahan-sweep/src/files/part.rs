@@ -27,7 +27,7 @@ mod keys {
     pub(super) const FLOATS: &str = "kahan.floats";
     pub(super) const COLUMNS: &str = "kahan.columns";
     pub(super) const SEED: &str = "kahan.seed";
-    /// The following keys occur only in the metadata of parts.
+    /// `PART` and `CHECKSUM` occur only in the metadata of parts.
     pub(super) const PART: &str = "kahan.part";
     pub(super) const CHECKSUM: &str = "kahan.crc32";
 }
@@ -68,7 +68,7 @@ pub(crate) struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// Returns the part with this index in a folder, which need not exist yet.
+    /// Returns the part with this index in a folder. The file of the part need not exist yet.
     pub(crate) fn of(plan: &'a Plan, index: u64, folder: &Path) -> Self {
         Part { plan, index, path: folder.join(format!("part-{index:012}.parquet")) }
     }

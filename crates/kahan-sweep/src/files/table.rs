@@ -61,7 +61,7 @@ fn rows(path: &Path, columns: &[String]) -> Result<(Vec<String>, impl Iterator<I
     if let Some(name) = names.iter().find(|name| !known.contains(name)) {
         return Err(format!("has no column `{name}`; it has {}", known.join(", ")));
     }
-    // A row of selected columns has the order of the file, so indices are looked up by name.
+    // A row lists the selected columns in the file's order, so the order of `names` is restored.
     let read: Vec<_> =
         schema.get_fields().iter().filter(|field| names.iter().any(|name| name == field.name())).collect();
     let place = |name: &String| read.iter().position(|field| field.name() == name).unwrap_or_default();

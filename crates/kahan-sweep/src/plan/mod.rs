@@ -1,4 +1,4 @@
-//! Plans: a question over axes, its field, and the columns to write.
+//! A plan: a field, a question asked at every point of a grid or sample, and the columns to write.
 //!
 //! A plan is read from a TOML text, whose mistakes are all reported before anything runs. The plan
 //! determines the number of points, and the rows of any range of points.
@@ -18,7 +18,7 @@ use sha2::{Digest, Sha256};
 #[derive(Clone, Debug)]
 pub struct Plan {
     study: Study,
-    /// The question asked at each point. The last axis varies fastest, except for random draws.
+    /// The question asked at each point. Drawn axes vary fastest, then the last axis, and so on.
     question: Question,
     points: u64,
     /// The number of rows of a part; the last part may have fewer.

@@ -22,7 +22,7 @@ impl Reader<'_> {
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
             if let Some(end) = self.line_of_directive(at) {
-                // Lines with `@` are options of XPP, which are skipped; others are refused later.
+                // Lines with `@` (options of XPP) are skipped; other directives are refused later.
                 let left = None;
                 items.extend((self.at(at) != "@").then_some(TextItem {
                     tokens: at..end,
@@ -68,7 +68,6 @@ impl Reader<'_> {
                 }
                 TokenKind::Open('{') if depth == 0 && word == "for" => return at + 1,
                 TokenKind::Open(_) => depth += 1,
-                // This brace ends the family.
                 TokenKind::Close('}') if depth == 0 => return at + usize::from(at == start),
                 TokenKind::Close(_) if depth == 1 && in_call => return at,
                 TokenKind::Close(bracket) => {

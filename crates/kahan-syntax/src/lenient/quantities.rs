@@ -110,8 +110,8 @@ impl Reader<'_> {
             values.extend(value.filter(|_| is_start || used.contains(name)));
         }
         let mut put_in = Vec::new();
-        // Each round expands quantities whose parts are already expanded. The parser reports
-        // cycles.
+        // Each round expands the quantities that refer only to expanded ones. The parser reports
+        // cyclic references.
         for _ in 0..MAX_DEPTH {
             let names: HashSet<&str> = quantities.iter().map(|(_, name, _)| *name).collect();
             let waits = |right: &Range<usize>| self.used_names(right).iter().any(|name| names.contains(name));

@@ -1,4 +1,4 @@
-//! Translates right-hand sides: expands quantities and roots, and explains products without `*`.
+//! Translates right-hand sides: expands quantities and roots, and reports products without `*`.
 
 use std::ops::Range;
 

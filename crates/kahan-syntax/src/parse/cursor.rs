@@ -25,7 +25,7 @@ pub(super) struct Cursor<'a> {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum ExpressionEnd {
     Semicolon,
-    /// The first token of the next item, because a bracket with `when` may end without `;`.
+    /// The first token of the next item, for a bracket with `when`, which may end without `;`.
     Item,
     /// The sign `=`, on the left side of a relation after `when`.
     Equals,

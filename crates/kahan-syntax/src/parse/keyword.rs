@@ -35,7 +35,7 @@ fn probable_keyword(word: &str) -> Option<&'static str> {
     synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied()).or_else(slip)
 }
 
-/// Returns the mistake of an item `WORD NAME …` with an unknown keyword, and records the name.
+/// Reports an item `WORD NAME …` with an unknown keyword, and declares NAME to avoid more errors.
 pub(super) fn wrong_keyword<X>(cursor: &Cursor<'_>, block: &mut Block<X>) -> Option<Diagnostic> {
     let word = cursor.identifier(0)?;
     cursor.identifier(1)?;

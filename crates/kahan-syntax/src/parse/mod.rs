@@ -83,7 +83,7 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<Fo
     block
 }
 
-/// Reports constants with functions in claims, because claims are about the quadratic field.
+/// Reports claims that use constants with function calls, because claims must be rational.
 fn refuse_functions_in_claims(block: &Block<FormulaSyntax>, diagnostics: &mut Diagnostics) {
     let mut functions: Vec<&str> = Vec::new();
     for constant in &block.constants {

@@ -85,7 +85,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(num, i128::from(b) * i128::from(d));
     }
     let num = i128::from(a) * i128::from(d / common) + i128::from(c) * i128::from(b / common);
-    // Only factors of `common` can still cancel.
+    // Only a divisor of `common`, the gcd of both denominators, can still cancel.
     let cancels = gcd((num % i128::from(common)).unsigned_abs() as u64, common as u64) as i64;
     Rational::from_reduced(num / i128::from(cancels), i128::from(b / common) * i128::from(d / cancels))
 }

@@ -64,7 +64,7 @@ impl Rational {
             return (hi, 0.0);
         }
         let Some(exact) = Self::from_f64(hi) else { return (hi, 0.0) };
-        // Reducing the fraction would cost more than rounding it, and would not change the result.
+        // The rest `self - hi` is `left/over`. Reducing it would cost time and change nothing.
         let left = self.numerator() * exact.denominator() - exact.numerator() * self.denominator();
         let over = self.denominator() * exact.denominator();
         let is_negative = left.is_negative();

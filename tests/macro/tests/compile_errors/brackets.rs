@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// A bracket is antisymmetric.
+// The entry {x,x} is wrong, because it is zero for every bracket.
 kahan! {
     pub struct Diagonal;
     xdot = y;
@@ -50,7 +50,7 @@ kahan! {
     bracket P { {x,y,x} = 1; }
 }
 
-// An entry must be a pair of states.
+// An entry must be a pair of states, but `z` is not a state.
 kahan! {
     pub struct UnknownState;
     xdot = y;
@@ -58,7 +58,7 @@ kahan! {
     bracket P { {x,z} = 1; }
 }
 
-// A bracket must have entries.
+// The bracket is written like an integral, without entries.
 kahan! {
     pub struct WrittenLikeAnIntegral;
     xdot = y;

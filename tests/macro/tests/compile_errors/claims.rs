@@ -43,7 +43,7 @@ kahan! {
     integral eps = x^2 + y^2;
 }
 
-// Every name may have only one meaning.
+// Two claims have the same name.
 kahan! {
     pub struct NamedTwice;
     xdot = y;

@@ -26,7 +26,7 @@ kahan! {
     integral H = x^2 + y^2 when k = 2*l;
 }
 
-// The third relation follows from the first two.
+// The third relation follows from the first two, so it must be removed.
 kahan! {
     pub struct Follows { k, l, m }
     xdot = k*y;

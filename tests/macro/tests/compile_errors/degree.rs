@@ -9,7 +9,7 @@ kahan! {
     ydot = x;
 }
 
-// The degree counts states, not parameters.
+// The degree in the states is 3. The parameter `mu` does not count.
 kahan! {
     pub struct BehindAParameter { mu }
     xdot = y;

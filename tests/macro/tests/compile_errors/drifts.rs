@@ -60,7 +60,7 @@ kahan! {
     drift F = 1/F by F - 2*eps;
 }
 
-// A state and a drift have one name.
+// A state and a drift have the same name.
 kahan! {
     pub struct NamedLikeAState;
     xdot = x^2;
@@ -81,7 +81,7 @@ kahan! {
     integral F = 1/x by F - 2*eps;
 }
 
-// The next value of F is missing.
+// The word `by` and the next value of F are missing.
 kahan! {
     pub struct WithoutBy;
     xdot = x^2;

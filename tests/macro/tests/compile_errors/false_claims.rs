@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// The claim is false, but its residue modulo 2^61 - 1 is zero.
+// The claim is false, but its function is 0 modulo the prime 2^61 - 1.
 kahan! {
     pub struct APrimeTimesAState;
     xdot = -x^2;
@@ -65,7 +65,7 @@ kahan! {
     integral H = x/((x + y)^2 - x^2 - 2*x*y - y^2);
 }
 
-// The claim is undefined at every point.
+// The claim is undefined at every point, because it divides by y - y.
 kahan! {
     pub struct DivisionByZeroIdentically;
     xdot = -x^2;
@@ -101,7 +101,7 @@ kahan! {
     integral H = x*z + y^2;
 }
 
-// The degree of the claim is so high that the proof needs more points than usual.
+// The degree of the claim is so high that its proof evaluates it at more points than usual.
 kahan! {
     pub struct OfHighDegree;
     xdot = -x^2;
@@ -110,7 +110,7 @@ kahan! {
     integral H = y/x*z^60;
 }
 
-// The claim is a misprint of the paper: `z` instead of `z^2`.
+// The paper of Hone and Petrera misprints this claim, with `z` instead of `z^2`.
 kahan! {
     pub struct Table4Row3AsPrinted;
     xdot = x*z;
@@ -122,7 +122,7 @@ kahan! {
     }
 }
 
-// The claim is trivial.
+// The claim is trivial, because its function does not depend on the point.
 kahan! {
     pub struct TheHalfStep;
     xdot = -x^2;

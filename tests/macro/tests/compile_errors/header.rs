@@ -38,7 +38,7 @@ kahan! {
     xdot = -eps*x;
 }
 
-// Each parameter is one field and has one name.
+// Two parameters have the same name.
 kahan! {
     pub struct ParameterTwice { k, k }
     xdot = -k*x;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// Another word stands for `integral`; claims that use the name give no second error.
+// Another word stands for `integral`. The claim G, which uses H, gives no second error.
 kahan! {
     pub struct Invariant;
     xdot = y;

@@ -22,7 +22,7 @@ kahan! {
     xdot = c*k*x;
 }
 
-// Every name may have only one meaning.
+// Two constants have the same name.
 kahan! {
     pub struct ConstantTwice;
     const c = 2;
@@ -38,7 +38,7 @@ kahan! {
     xdot = -y;
 }
 
-// The lunate epsilon is a different letter.
+// The lunate epsilon ϵ does not denote half the time step, as `eps` does.
 kahan! {
     pub struct GreekHalfStep;
     xdot = y;

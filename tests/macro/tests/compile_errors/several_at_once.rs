@@ -32,7 +32,7 @@ kahan! {
     bracket P { {x,y} = 1; }
 }
 
-// Each part of the block has one mistake.
+// The header, an equation and a claim have one mistake each.
 kahan! {
     pub struct HeaderEquationClaim { k: f64 }
     xdot = -k**x;

@@ -1,4 +1,4 @@
-//! Suslov's problem. Degrees grow linearly, and the map keeps the energy in a deformed form.
+//! Suslov's problem: degrees of iterates grow linearly, and the map preserves a deformed energy.
 
 use kahan_core::prelude::*;
 

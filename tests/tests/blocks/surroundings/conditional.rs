@@ -41,10 +41,10 @@ fn the_names_that_conditions_are_solved_for_have_their_values() {
     let (x, next) = assert_kahan(&kept);
     let eps = || ratio(EPS.0, EPS.1);
     assert_eq!(kept.total(&x, eps()), kept.total(&next, eps()));
-    // The accessor ignores the values of c and ε that are passed.
+    // The condition of `total` fixes c, so the value of c in `other` is ignored.
     let other = three(ratio(7, 1));
     assert_eq!(other.total(&x, eps()), kept.total(&x, eps()));
     assert_eq!(other.total(&x, eps()), ratio(-5, 6) * x.sum());
-    // The claim is not confused with the map's method of this name.
+    // The claim `step` has the accessor `integral_step`, because `step` is a method of the map.
     assert_eq!(other.integral_step(&x, eps()), ratio(-5, 6) * x.sum());
 }

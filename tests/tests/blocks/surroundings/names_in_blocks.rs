@@ -124,7 +124,7 @@ fn claims_may_have_the_names_of_methods() {
     let (x, next) = assert_kahan(&Claims { k: ratio(3, 2) });
     let claims = Claims { k: ratio(3, 2) };
     assert_eq!(claims.integrals(&x, ratio(1, 2)), claims.integrals(&next, ratio(1, 2)));
-    // Claims keep their names if no other item has the name.
+    // Accessors have the names of their claims, with a prefix if another item has the name.
     let own = [
         claims.integral_step(&x, ratio(1, 2)),
         claims.integral_VARIABLES(&x, ratio(1, 2)),

@@ -1,4 +1,4 @@
-//! A block at module level needs a header; only rustc knows the level.
+//! A block outside of functions lacks a header. Only rustc knows where a block is, and reports it.
 
 use kahan_core::prelude::*;
 

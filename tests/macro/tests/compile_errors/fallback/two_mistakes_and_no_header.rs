@@ -1,4 +1,4 @@
-//! Without a single equation, every mistake still gives one error.
+//! Each mistake gives one error, even if the block has no correct equation.
 
 use kahan_core::prelude::*;
 

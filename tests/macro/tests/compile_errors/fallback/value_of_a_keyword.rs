@@ -1,4 +1,4 @@
-//! A keyword has no value to capture.
+//! Undeclared names take the values of variables around the block, but `self` is a keyword.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A free name refers to the surrounding scope, which rustc checks.
+//! Undeclared names take the values of variables around the block; rustc reports a missing one.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Sums are proved or refuted for every number of sites.
+//! Claims with sums over all sites are proved or refuted for every number of sites.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Claims with a condition have no trait accessor.
+//! A density that is claimed under a condition is not available as the method `density`.
 
 use kahan_core::prelude::*;
 

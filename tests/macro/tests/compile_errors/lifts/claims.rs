@@ -1,4 +1,4 @@
-//! False and broken claims of lifts; such claims concern the quadratic field.
+//! Mistakes in claims of lifted blocks. These claims are about the quadratic field.
 
 use kahan_core::prelude::*;
 
@@ -10,7 +10,7 @@ kahan! {
     integral E = v^2/2 - cos_x;
 }
 
-// The claim holds only on the preserved relation t2 = t^2.
+// The claim holds only if t2 = t^2, but it must hold for all values of the new variable t2.
 kahan! {
     lift pub struct OnRelations;
     xdot = t^3;

@@ -1,4 +1,4 @@
-//! The time must be declared as a state or parameter, and a derivative is no name.
+//! The time is used without being declared, and a derivative is used as a name.
 
 use kahan_core::prelude::*;
 
