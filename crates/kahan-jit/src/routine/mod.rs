@@ -1,4 +1,4 @@
-//! Routines around straight-line code, which load before a loop and store after the loop.
+//! Machine-code functions that run a program once, repeatedly on one state, or over columns.
 
 mod function;
 mod orbit;
