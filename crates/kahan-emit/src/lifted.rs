@@ -38,7 +38,7 @@ pub(super) struct Lifted {
 pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     let mut mistakes = Diagnostics::default();
     let block = parse_lifted(tokens, &mut mistakes);
-    // `lift` finds these mistakes again.
+    // `lift` finds these mistakes again, so they are dropped here.
     drop(mistakes.finish());
     let place = block.header.as_ref().map_or(block.lift, |header| Some(header.name.span));
     let place = place.unwrap_or(Span::token(0));

@@ -73,7 +73,8 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the constants that a kernel (code that returns `None` at a pole) reads.
+    /// The names of the constants that a kernel reads, which is code that returns `None` at a pole;
+    /// `None` for other code.
     constants: Option<&'a [String]>,
     /// Whether each `let` contains a call that prevents auto-vectorisation.
     has_fences: bool,

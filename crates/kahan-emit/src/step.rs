@@ -87,7 +87,7 @@ impl<'a> NamedStep<'a> {
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();
         let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
-        // A separate output for each use lets the last use move the value.
+        // A separate output for each use of a reciprocal lets its last use move the value.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {
