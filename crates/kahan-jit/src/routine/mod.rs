@@ -1,4 +1,4 @@
-//! Machine-code functions that run a program once, repeatedly on one state, or over columns.
+//! Machine-code functions that run a program once, repeatedly on one state, or on columns of states.
 
 mod function;
 mod orbit;
