@@ -41,7 +41,7 @@ pub(crate) trait ExactMap: Debug + Send + Sync {
     }
 
     /// Returns the denominator of the map as a polynomial in one variable, which is chosen at
-    /// random. For `is_removable`, returns the factor that cancels in the map instead.
+    /// random. For `is_removable`, returns instead the factor that cancels in the map.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 

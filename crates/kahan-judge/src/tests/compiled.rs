@@ -1,4 +1,4 @@
-//! Tests the steps that another program makes, which contains code of the macro.
+//! Another program makes steps by code that the macro generated. The tests judge its results.
 //!
 //! Both programs exchange the arguments and the results of `try_step` as bits.
 
