@@ -43,7 +43,7 @@ pub fn lines(formula: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Returns the formula, in lines of an `aligned` environment if it is wider than `width`.
+/// Returns the formula, as lines of an `aligned` environment if wider than `width` characters.
 #[must_use]
 pub fn boxed(formula: &str, width: usize) -> String {
     match &lines(formula, width)[..] {
