@@ -198,7 +198,7 @@ fn with_potential(
         })?;
         fixed.insert(momentum, equation);
     }
-    // The energy is ½ pᵀSp with momenta p and `kinetic` matrix S, plus the quadratic potential.
+    // The energy is ½ pᵀSp (momenta p, kinetic matrix S) plus quadratic terms of the potential.
     let half = RationalFunction::constant(Rational::new(1, 2));
     let mut energy = Quadratic::default();
     let mut power = Quadratic::default();

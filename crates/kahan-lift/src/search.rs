@@ -2,7 +2,7 @@
 //!
 //! A set of variables is closed if each monomial in their derivatives is 1, a variable, or a
 //! product of two variables, or follows from such products by a relation. Iterative deepening
-//! branches over the ways to write one missing monomial. If it takes too long, local changes
+//! branches over the ways to write one missing monomial. After too many branches, local changes
 //! improve a greedy solution. The search reads no clock, so results are reproducible.
 
 use std::cmp::Reverse;
@@ -381,7 +381,7 @@ impl<'a> Search<'a> {
         Some(self.without_unnecessary(closed))
     }
 
-    /// Removes single variables as long as the `closure` of the others is smaller.
+    /// Removes single variables as long as the `closure` of the others is smaller than `best`.
     fn without_unnecessary(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
         let mut at = 0;
         while at < best.len() {
