@@ -1,4 +1,4 @@
-//! Machine-code functions that run a program once, repeatedly on one state, or on columns of states.
+//! Machine-code functions that run a program once, repeatedly on a state, or on columns of states.
 
 mod function;
 mod orbit;
