@@ -11,7 +11,7 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// Returns the misprinted item, and the item of the claim with the most words in common with it.
+    /// Returns the misprinted item and the claim's item that has most words in common with it.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
