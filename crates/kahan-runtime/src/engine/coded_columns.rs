@@ -176,7 +176,7 @@ struct PreparedColumns<'a, T> {
 }
 
 impl<T: MachineFloat> PreparedColumns<'_, T> {
-    /// Prepares constants for the trajectories from index `first` on that fill this many `registers`.
+    /// Prepares constants for trajectories from index `first` on that fill this many `registers`.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,
