@@ -1,4 +1,4 @@
-//! Emits the fields that lifts yield, and methods for the initial values of the new variables.
+//! Emits the quadratic field of a lifted block, and conversions between old and new states.
 
 use kahan_algebra::arithmetic::Float64;
 use kahan_algebra::check::{Broken, Checked, StandIn};
@@ -28,17 +28,17 @@ use super::{Context, docs};
 const LIFT_SEARCH_BUDGET: usize = 200;
 
 pub(super) struct Lifted {
-    /// The number of original states, including the time `t` if time occurs.
+    /// The number of original states, including the time `t` if `t` occurs in the equations.
     pub(super) states: usize,
     pub(super) lift: Option<Lift>,
     embedding: Embedding,
 }
 
-/// Lifts the equations of a block, and proves its claims for the lifted field.
+/// Lifts the equations of a block, and proves the block's claims for the lifted field.
 pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     let mut mistakes = Diagnostics::default();
     let block = parse_lifted(tokens, &mut mistakes);
-    // The function `lift` reports these mistakes.
+    // `lift` finds these mistakes again, so they are dropped here.
     drop(mistakes.finish());
     let place = block.header.as_ref().map_or(block.lift, |header| Some(header.name.span));
     let place = place.unwrap_or(Span::token(0));
@@ -63,7 +63,7 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
 }
 
-/// Rewrites an error about the search budget, and suggests the command, which has a larger budget.
+/// Rewrites the error for an exhausted search budget, so that it suggests `kahan lift`.
 fn name_command(mistake: &mut Diagnostic, place: Span) {
     if mistake.kind == Kind::TooLarge && mistake.span == Span::token(0) {
         mistake.span = place;
@@ -89,8 +89,8 @@ fn placeholder_lift(block: Block<FormulaSyntax>, diagnostics: Vec<Diagnostic>) -
     (Checked::Broken(Broken { diagnostics, stand_in }), lifted)
 }
 
-/// Returns the block with lifted equations. Without a header, the block declares the original
-/// parameters, because some may occur only in initial values.
+/// Returns the block with lifted equations. If the block has no header, the new header declares all
+/// parameters, because some parameters may occur only in initial values.
 fn lifted_block(block: Block<FormulaSyntax>, lift: &Lift, tokens: &[Token], place: Span) -> Block {
     let mut none = Diagnostics::default();
     let equations = parse(&lex(&lift.text()).tokens, &mut none).equations;
@@ -152,8 +152,8 @@ fn with_proved_claims(system: System, lift: &Lift, tokens: &[Token]) -> Checked 
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Tests in floats whether an unproved integral is constant on states that satisfy the relations of
-/// the lift. Its change in a step must be at most 1e-9 of its change if the relations are violated.
+/// Tests in floats whether an unproved integral is constant if the relations of the lift hold. A
+/// step must change it at most 1e-9 times as much as a step from states that violate the relations.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -207,8 +207,8 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to `embed` and `project`, with trait bounds that let rustc name the scalar type in
-/// errors.
+/// Expands to `embed` and `project`. Trait bounds at the methods let rustc name an unsuitable
+/// scalar type in its error.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));
@@ -237,7 +237,7 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     }
 }
 
-/// Emits the body of `embed`, in which every operation in `f64` has a binding.
+/// Emits the body of `embed`. Each operation has a `let`, because its value may be used repeatedly.
 fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
     let program = &lifted.embedding.program;

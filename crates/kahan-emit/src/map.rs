@@ -1,4 +1,4 @@
-//! Emits `KahanMap`: the prepared step, and short formulas for the map as a quotient N/D.
+//! Emits `KahanMap`: the step, and formulas for the numerators and the denominator of the map.
 
 use kahan_algebra::elimination::{Couplings, MOST_EXPANDED};
 use kahan_algebra::plan::{Plan, variables};
@@ -14,7 +14,7 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_kernel};
 use super::step::{EmittedStep, emit_step};
 
-/// Expands to the prepared step and to `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`.
+/// Expands to the code of the step and to the implementation of `KahanMap`.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let (items, prepared) = match (context.derived.couplings(), context.derived.step()) {
@@ -55,7 +55,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the step of a plan, and its Jacobian as a step in dual numbers.
+/// Emits the step's precomputed constants, and the Jacobian, computed by the step in dual numbers.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {
@@ -70,7 +70,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// Emits the step and its Jacobian by sparse elimination.
+/// Emits a step that solves its linear system by sparse elimination, and the Jacobian of this step.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;
@@ -116,7 +116,7 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the map of tangent vectors at x to those at the image `y`, if a plan for it exists.
+/// Emits the function that maps tangent vectors at `x` to tangent vectors at its image `y`.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.tangent_map()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
@@ -148,7 +148,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     })
 }
 
-/// Emits formulas for det A, and for N and D of the map N/D, also in lowest terms.
+/// Emits formulas for the determinant of a step's matrix, and for the map as quotients.
 fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {
@@ -166,7 +166,7 @@ fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     quote! { #det_matrix #rational_map #reduced_map }
 }
 
-/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`, which returns (N, D).
+/// Expands to a function such as `rational_map`, which returns the numerators and the denominator.
 fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream {
     let (bindings, mut numerators) = emit_body(context, plan);
     let denominator = numerators.pop();

@@ -18,10 +18,10 @@ use super::input_bindings::binding;
 use super::names;
 use super::number::emit_constant;
 
-/// The nesting depth beyond which a value gets a `let`, which protects the stack of rustc.
+/// More deeply nested values get a `let`, because deep expressions overflow the stack of rustc.
 const MAX_NESTING: usize = 24;
 
-/// The Rust code of a plan: bindings, and one expression for each result, to be used in order.
+/// The Rust code of a plan. The results must be evaluated in order, because they move bindings.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -73,13 +73,14 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the constants that a kernel receives; `None` in other plans.
+    /// The names of the constants that a kernel reads, which is code that returns `None` at a pole;
+    /// `None` for other code.
     constants: Option<&'a [String]>,
     /// Whether each `let` contains a call that prevents auto-vectorisation.
     has_fences: bool,
     /// For each value, the number of uses that are not yet written.
     uses: Vec<usize>,
-    /// For each value, the number of nested operations up to the nearest values with a `let`.
+    /// For each value, the nesting depth of its expression, in which values with a `let` are names.
     depths: Vec<usize>,
     lets: Vec<Option<Ident>>,
     names: ValueNames,
@@ -91,7 +92,7 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step, which returns `None` at a pole. `constants` names the constants.
+/// Emits the kernel of a step, which returns `None` at a pole, and reads the named `constants`.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
@@ -133,7 +134,7 @@ impl<'a> Emitter<'a> {
         Emitted { bindings: self.bindings, results }
     }
 
-    /// Returns the operands that are written. In a reciprocal, the numerator 1 is not written.
+    /// Returns the operands that the code contains. The numerator 1 of a reciprocal is left out.
     fn operands(&self, operation: &Operation) -> impl Iterator<Item = Node> + use<> {
         let written = usize::from(self.reciprocal_of(operation).is_some());
         operation.operands().skip(written)

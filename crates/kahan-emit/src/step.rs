@@ -66,7 +66,7 @@ impl<'a> NamedStep<'a> {
         Literal::usize_unsuffixed(self.names.len())
     }
 
-    /// Expands to the constants `[eps.clone(), …]`, or to a block that ends with this array.
+    /// Expands to an array such as `[eps.clone(), …]`, or to a block that computes the array.
     fn emit_constants(&self) -> TokenStream {
         let symbols = &self.context.system.field.symbols;
         let inputs = emit_inputs(&self.plan.constants, symbols);
@@ -87,7 +87,7 @@ impl<'a> NamedStep<'a> {
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();
         let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
-        // Returns one result for each use, so that the last use moves the value.
+        // A separate output for each use of a reciprocal lets its last use move the value.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {

@@ -1,4 +1,4 @@
-//! Turns the compiler's tokens, or a text, into a flat list of tokens with their compiler spans.
+//! Turns the compiler's tokens, or the text of an included file, into a flat list of tokens.
 
 use std::ops::Range;
 
@@ -69,7 +69,7 @@ fn brackets(group: &Group) -> (char, char) {
 }
 
 impl FlatTokens {
-    /// Returns the compiler's tokens of a part that only Rust understands.
+    /// Returns the compiler's tokens for attributes or a visibility of a block.
     pub(crate) fn rust(&self, written: &WrittenTokens) -> TokenStream {
         match (&self.source, written.span) {
             (Some(_), _) => written.lines.join("\n").parse().unwrap_or_default(),

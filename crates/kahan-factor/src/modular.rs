@@ -45,7 +45,7 @@ pub(super) fn by_degree(field: PrimeField, polynomial: &[u64]) -> Vec<EqualDegre
     parts
 }
 
-/// Returns the monic irreducible factors of a product. The prime of the field must be odd.
+/// Returns the monic irreducible factors, of degree `part.degree`. The prime must be odd.
 pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitMix64) -> Vec<Dense> {
     let mut factors = Vec::new();
     let mut waiting = vec![part.product];
@@ -55,7 +55,7 @@ pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitM
             continue;
         }
         let draw = dense::trimmed((1..product.len()).map(|_| field.sample(rng)).collect());
-        // For p elements and factors of degree d, draw^((p^d − 1)/2) is 1 modulo about half of the
+        // In a field with p elements, norm^((p − 1)/2) is 1 modulo about half of the irreducible
         // factors, and −1 modulo the others.
         let (mut conjugate, mut norm) = (draw.clone(), draw);
         for _ in 1..part.degree {

@@ -62,8 +62,8 @@ struct Image {
 }
 
 impl Image {
-    /// Factors the image at random integers of absolute value below `size` + 2. Returns `None` if
-    /// the image has a smaller degree.
+    /// Sets all variables but the first to integers of absolute value 2 to `size` + 1, and factors
+    /// the image. Returns `None` if this lowers the degree in the first variable.
     fn at(
         whole: &Polynomial,
         order: &[Variable],
@@ -151,8 +151,8 @@ impl Image {
         Ok(None)
     }
 
-    /// Tests lead·∏ candidate^k = whole·∏ multiplier^k at one point modulo a prime, where k are the
-    /// exponents.
+    /// Tests leading coefficient·∏ candidate^k = whole·∏ multiplier^k, with the exponents k of the
+    /// factors, at one point modulo a prime.
     fn agrees_at_point(
         &self,
         whole: &Polynomial,

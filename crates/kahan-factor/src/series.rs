@@ -1,9 +1,9 @@
 //! Lifts factors at y = point to factors in x and y (Hensel's lemma).
 //!
 //! The lift works with monic polynomials in x whose coefficients are power series in t = y − point.
-//! At the end each factor is multiplied by a multiple of its leading coefficient. The series then
-//! become polynomials (Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, section
-//! 6.6). Powers of factors are lifted as a whole, and roots are taken at the end.
+//! At the end each factor is multiplied by a multiple of the true leading coefficient. The series
+//! then become polynomials (Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992,
+//! section 6.6). Powers of factors are lifted as a whole, and roots are taken at the end.
 
 use kahan_algebra::prime_field::PrimeField;
 

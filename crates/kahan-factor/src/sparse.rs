@@ -161,10 +161,10 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
 }
 
-/// A polynomial evaluated at successive powers of a point, except for one or two variables.
+/// A polynomial in one or two variables. The others are set to successive powers of a point.
 struct PowerEvaluation {
-    /// For each term: the exponents of the variables without a value, the value of the other
-    /// factors, and the ratio of the next value to this one.
+    /// For each term: the exponents of the main and the second variable, the value of the other
+    /// factors, and the ratio of the value at the next power to this value.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
@@ -192,7 +192,7 @@ impl PowerEvaluation {
     }
 }
 
-/// The monomials of a factor and their values, by the power of the main variable.
+/// For each power of the main variable: the monomials of a factor, and their values at a point.
 struct FactorSupport {
     groups: Table<usize, Vec<(Vec<u32>, u64)>>,
 }

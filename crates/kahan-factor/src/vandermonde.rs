@@ -4,8 +4,8 @@ use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// Solves Σᵢ cᵢ·mᵢ^k = vₖ for k ≥ 1, where mᵢ are the nodes and vₖ a column. Returns the cᵢ of each
-/// column. Returns `None` if a node is 0 or two nodes are equal.
+/// For each column v, solves Σᵢ cᵢ·mᵢ^k = vₖ for k ≥ 1, where mᵢ are the nodes, and returns the cᵢ.
+/// Returns `None` if a node is 0 or two nodes are equal.
 ///
 /// With q(z) = ∏_{j≠i} (z − mⱼ) = Σ qₖ·zᵏ, the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
 pub(super) fn solutions(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {

@@ -1,4 +1,4 @@
-//! Fuzzes the expansion of texts as the macro does it.
+//! Fuzzes the macro's expansion of a text.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| kahan_fuzz::expand(bytes));

@@ -1,4 +1,4 @@
-//! Fuzzes programs as machine code, in every instruction set of this machine.
+//! Fuzzes the compiler: random programs run as machine code, in all available instruction sets.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| kahan_fuzz::run_program(bytes));

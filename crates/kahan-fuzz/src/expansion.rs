@@ -117,7 +117,6 @@ pub fn expand(bytes: &[u8]) {
     if let Err(mistakes) = FieldText::new(text.clone(), "field".to_owned()).system() {
         assert!(!mistakes.to_string().is_empty());
     }
-    // A text that Rust cannot split into tokens never reaches the macro.
     let core: TokenStream = "::kahan_core".parse().expect("a path");
     if let Ok(rust) = kahan_emit::text(&core, &text) {
         assert!(rust.is_empty() == text.trim().is_empty(), "{rust}");

@@ -87,7 +87,7 @@ const WORDS: &[&str] = &[
     "kind = \"orbit\"\nsteps = 3\n",
 ];
 
-/// Reads a plan of a sweep. Checks that a plan without mistakes has points and parts.
+/// Reads a sweep plan from a text. A plan without mistakes must have points.
 pub fn read_plan(bytes: &[u8]) {
     let Some(text) = text(bytes, WORDS) else { return };
     match Plan::read(&text, "plan.toml") {

@@ -38,7 +38,7 @@ impl<T: 'static> Code<T> {
     /// # Safety
     /// The bytes must begin with a function on numbers of type `T`, in instructions of this
     /// processor. Its calling convention must be that of System V on x86-64, or of C on 64-bit Arm.
-    /// Of the methods below, only the one that passes the function's arguments may enter the code.
+    /// Of the methods below, only the one whose arguments match the function's may be called.
     /// If the slices have the lengths in `extent`, the function must access no other memory than
     /// these slices and its stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: MemoryExtent) -> Result<Self, CompileError> {

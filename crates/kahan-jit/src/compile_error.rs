@@ -20,7 +20,7 @@ pub enum CompileError {
     },
     /// An operation reads a later or missing operation, or a result does not exist.
     Malformed,
-    /// This operating system does not support run-time code.
+    /// On 64-bit Arm, machine code runs only on Linux and Android.
     System,
     /// The operating system refused executable memory.
     Pages(std::io::Error),

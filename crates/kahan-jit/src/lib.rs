@@ -1,11 +1,11 @@
 //! Compiles straight-line floating-point programs to machine code.
 //!
-//! A [`Program`] over two arrays becomes code in `f64` or `f32`, scalar or in SIMD lanes. The code
-//! runs the program once ([`Function`]), repeatedly on one state ([`Orbit`], [`ComposedOrbit`]), or
-//! over columns of trajectories ([`Sweep`]). Results equal those of generated Rust code bit for
-//! bit. Without the feature `pages` every program is refused.
+//! A [`Program`] reads arrays of states and of constants. It becomes code in `f64` or `f32`, scalar
+//! or in SIMD lanes, which runs the program once ([`Function`]), repeatedly on one state
+//! ([`Orbit`], [`ComposedOrbit`]), or over columns of trajectories ([`Sweep`]). Results equal those
+//! of generated Rust code bit for bit. Without the feature `pages` every program is refused.
 //!
-//! `unsafe` occurs only in `call.rs`, three files of `routine`, `pages/cache.rs` and a test helper.
+//! `unsafe` occurs only in `call.rs`, files of `routine`, `pages/cache.rs` and a test helper.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

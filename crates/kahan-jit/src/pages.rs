@@ -9,7 +9,7 @@ use std::io;
 
 #[cfg(feature = "pages")]
 type Memory = memmap2::Mmap;
-/// A placeholder for the type of memory, used without the feature `pages`.
+/// A stand-in for the type of executable memory, which only the feature `pages` provides.
 #[cfg(not(feature = "pages"))]
 type Memory = &'static [u8; 0];
 

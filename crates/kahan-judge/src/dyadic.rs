@@ -23,7 +23,7 @@ impl Dyadic {
 
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (significand, exponent, sign) = Float::integer_decode(x);
-        // Trailing zeros are removed, so that products of small integers stay small.
+        // Trailing zeros are removed, to keep products small. The number 0, with 64 zeros, stays 0.
         let zeros = significand.trailing_zeros() % u64::BITS;
         let integer = i64::from(sign) * (significand >> zeros) as i64;
         x.is_finite().then(|| Self::new(integer, i64::from(exponent) + i64::from(zeros)))

@@ -28,7 +28,8 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     const EPS_BINADES: i64;
     /// Random ‖x‖ lie between 2^−STATE_BINADES and 2^STATE_BINADES.
     const STATE_BINADES: i64;
-    /// `try_step` must return a result if the condition number is smaller. `None` if it need not.
+    /// If the condition number of a step is below this, `try_step` must not refuse the step.
+    /// `None` if it may refuse every step.
     const FLAG_CONDITION: Option<f64>;
 
     fn of(value: f64) -> Self;

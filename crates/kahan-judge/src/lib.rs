@@ -38,7 +38,7 @@ use survey::{TestedMap, survey, survey_odd, total, total_of_odd};
 pub use regime::Regime;
 pub use tally::{BrokenPromises, Cell, CellKey, Failure, Tally};
 
-/// Returns the default systems: the systems of the paper, and the Volterra lattice of three sites.
+/// Returns the systems in `registry::SYSTEMS`, and the Volterra lattice of three sites.
 pub fn usual_subjects() -> impl Iterator<Item = Subject> {
     let entries = registry::SYSTEMS.iter().chain([&volterra::ENTRY]);
     entries.map(|entry| Subject::named(entry.command))
@@ -48,8 +48,8 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
 /// are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials for each scalar type. Trials with subnormal, infinite or NaN inputs and
-    /// with large steps are added.
+    /// The number of trials for each scalar type, without the additional trials with large steps or
+    /// with subnormal, infinite or NaN inputs.
     pub trials: u64,
     /// The number of random fields. The trials are divided among them and the systems.
     pub random_fields: usize,

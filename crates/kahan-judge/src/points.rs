@@ -16,7 +16,7 @@ pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The regime of the point: `MixedMagnitudes` if no pole was found.
+    /// The regime of the point. If a wanted pole is not found, it is `MixedMagnitudes`.
     pub(crate) regime: Regime,
 }
 
@@ -117,7 +117,7 @@ impl<T: Float> InputSampler<'_, T> {
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -60, 10) } else { inputs }
     }
 
-    /// Moves a point near a pole, or near a removable pole, by changing one of its variables.
+    /// Draws a point, and changes one variable so that the point lies near a (removable) pole.
     fn near_pole(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
         const ATTEMPTS: usize = 12;
         for _ in 0..ATTEMPTS {
@@ -131,7 +131,7 @@ impl<T: Float> InputSampler<'_, T> {
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
             }
-            // The relative distance 2^−k from the zero may be below the rounding error.
+            // The relative distance 2^−k from the root `zero` may be below the rounding error.
             let k = self.between(0, T::BITS + 6);
             let offset = zero.clone().scaled(-k);
             let moved = if self.random.below(2) == 0 { &zero + &offset } else { &zero - &offset };
@@ -141,7 +141,7 @@ impl<T: Float> InputSampler<'_, T> {
         self.mixed()
     }
 
-    /// Replaces one or two numbers of an ordinary point: coordinates, ε, or drawn parameters.
+    /// Draws an ordinary point, and replaces one or two of its numbers by results of `value`.
     fn inputs_in_regime(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
         let (n, epsilon) = (self.judge.equation().dimension(), self.judge.equation().epsilon());

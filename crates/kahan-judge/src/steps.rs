@@ -69,8 +69,8 @@ mod tests {
 
     use super::*;
 
-    /// Tests that `try_step` begins with the precision of generated code: `f32` up to four
-    /// variables, and `f64` beyond.
+    /// Tests that `try_step` first tries the precision that generated code tries first: `f32` for
+    /// up to four variables, and `f64` for more.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {
         let mut text = String::new();

@@ -24,7 +24,7 @@ pub(crate) struct TestedMap {
     pub(crate) map: Map,
 }
 
-/// The data with which the points of a system are drawn and tested.
+/// The parameters and the exact map of a system, used to draw points and to judge steps.
 #[derive(Debug)]
 pub(crate) struct TrialTarget {
     pub(crate) name: String,
@@ -67,7 +67,7 @@ impl TestedMap {
     }
 }
 
-/// Returns the given value, or for the k-th parameter a number that makes zero divisors unlikely.
+/// Returns the given value, or for parameter k one at which denominators are unlikely to be 0.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),
@@ -77,8 +77,8 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
 
 /// Runs `trials` trials each of `f32`, `f64` and `Dd`, cycling through the systems.
 ///
-/// A quarter of the trials is near poles, one near removable poles, one of mixed magnitudes, and
-/// one ordinary. Trials with subnormal inputs, nonfinite inputs and large steps are added.
+/// Four equal parts of the trials are near poles, near removable poles, of mixed magnitudes, and
+/// ordinary. Further trials have subnormal inputs, nonfinite inputs or large steps.
 pub(crate) fn survey(tried: &[TestedMap], trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     on_threads(tried, trials, seed, count.threads(), count)
 }

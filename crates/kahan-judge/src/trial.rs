@@ -43,7 +43,7 @@ struct ExactTrial {
     exact: Option<Box<dyn ExactStep>>,
 }
 
-/// Adds the trials with subnormal inputs, nonfinite inputs and large steps to `trials`.
+/// Returns `trials` plus the number of trials with subnormal or nonfinite inputs or large steps.
 pub(crate) fn with_special_inputs(trials: u64) -> u64 {
     trials + 3 * special(trials)
 }

@@ -43,7 +43,7 @@ pub fn lines(formula: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Returns the formula as one box of about `width` characters; a box may have several lines.
+/// Returns the formula, as lines of an `aligned` environment if wider than `width` characters.
 #[must_use]
 pub fn boxed(formula: &str, width: usize) -> String {
     match &lines(formula, width)[..] {

@@ -1,7 +1,7 @@
 //! Writes names in LaTeX, and as plain text with Greek letters and indices.
 
-/// Writes a name in LaTeX. From the first digit or `_` on, the name becomes indices. Greek names
-/// become letters, and other words become upright. A final `_` becomes a prime.
+/// Writes a name in LaTeX, for example `x1_b` with the indices 1 and b. Greek names become letters.
+/// Indices that are words are upright. A final `_` becomes a prime.
 pub(super) fn latex_name(name: &str) -> String {
     if let Some(name) = name.strip_suffix('_').filter(|name| !name.is_empty()) {
         return format!("{}'", latex_name(name));

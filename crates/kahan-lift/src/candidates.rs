@@ -26,16 +26,16 @@ const MOST_SETS: usize = 8;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SearchEffort {
     pub(crate) nodes: usize,
-    /// Whether the search also returns sets with one variable more than necessary, and sets with a
-    /// relation for each variable.
+    /// Whether the search also returns sets with one variable more than the smallest set, and sets
+    /// with a relation for each new variable.
     pub(crate) surplus: bool,
 }
 
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states. The work done by the forces has no formula in
-    /// the states, so 0 stands for it.
+    /// The new variables as functions of the states. The variable for the work done by the forces
+    /// in an energy lift has no formula in the states, and is 0 here.
     pub(crate) new: Vec<Laurent>,
     /// Alternative quadratic fields, with the preferred field first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
@@ -94,8 +94,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
         let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
-    // With sums as coordinates, the search finds small lifts. Their size limits the search without
-    // sums as coordinates.
+    // If frequent sums of terms may be variables, small lifts are found. Their size limits the
+    // search in which only monomials may be variables.
     let grouped =
         equations.ring.with_frequent_sums().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
@@ -198,7 +198,7 @@ fn with_potential(
         })?;
         fixed.insert(momentum, equation);
     }
-    // The energy is ½ pᵀSp plus the quadratic terms of the potential.
+    // The energy is ½ pᵀSp (momenta p, kinetic matrix S) plus quadratic terms of the potential.
     let half = RationalFunction::constant(Rational::new(1, 2));
     let mut energy = Quadratic::default();
     let mut power = Quadratic::default();

@@ -1,8 +1,8 @@
 //! A program without branches that computes the initial values of new variables.
 //!
 //! `Lift::embed` runs the program in `f64`. Generated code performs the same operations, so the
-//! results have equal bits. Operations are correctly rounded operations, repeated squaring, or
-//! calls of `libm`.
+//! results have equal bits. An operation is a correctly rounded one of IEEE 754, a power by
+//! repeated squaring, or a call of `libm`.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::poly::Polynomial;

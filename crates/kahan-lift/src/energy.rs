@@ -63,7 +63,7 @@ type Matrix = Vec<Vec<RationalFunction>>;
 fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     let n = matrix.len();
     let rows = |i: usize| {
-        // A row b of A⁻ᵀ solves A b = e for a unit vector e.
+        // A row b of A⁻ᵀ solves A b = e for a unit vector e, so (A | −e) maps (b, 1) to 0.
         let unit = |k: usize| if k == i { -&RationalFunction::one() } else { RationalFunction::zero() };
         let rows = matrix.iter().enumerate().map(|(k, row)| [&row[..], &[unit(k)]].concat()).collect();
         let mut solutions = null_space(rows, n + 1);
@@ -139,7 +139,7 @@ pub(crate) fn slopes<'a>(
 }
 
 /// Returns a symmetric matrix S for which −A⁻ᵀSG is a gradient, for x′ = A p and p′ = G(x). No
-/// diagonal entry of S is 0. A symmetric matrix A is preferred, then a diagonal matrix.
+/// diagonal entry of S is 0. The choice is A itself if possible, otherwise a diagonal matrix.
 fn kinetic_energy(
     ring: &Ring,
     partials: &[Ring],
@@ -156,7 +156,7 @@ fn kinetic_energy(
     let diagonal: Vec<(usize, usize)> = (0..n).map(|i| (i, i)).collect();
     let symmetric: Vec<(usize, usize)> = (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect();
     for (shape, is_own) in [(&symmetric, true), (&diagonal, false), (&symmetric, false)] {
-        // With B = A⁻ᵀ, the equations are Σ B_ij s_jk ∂G_k/∂x_l = Σ B_lj s_jk ∂G_k/∂x_i for i < l.
+        // For B = A⁻ᵀ, entries of S satisfy Σ B_ij s_jk ∂G_k/∂x_l = Σ B_lj s_jk ∂G_k/∂x_i.
         let mut rows: Matrix = Vec::new();
         for i in 0..n {
             for l in i + 1..n {

@@ -1,4 +1,4 @@
-//! The equations of a lifted block, checked and written in coordinates.
+//! The equations of a lifted block, checked and written as Laurent polynomials.
 
 use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_algebra::parse::parse_lifted;

@@ -193,9 +193,8 @@ impl Laurent {
         self.0.keys().skip(1).fold(first, least)
     }
 
-    /// Writes the polynomial as ρ·p with a rational number ρ, and returns both. The coefficients of
-    /// p are integers without a common factor. The leading number of the first coefficient is
-    /// positive.
+    /// Writes the polynomial as ρ·p with a rational number ρ, and returns both. The numerators of p
+    /// have integer coefficients without a common factor, the first of which is positive.
     pub(crate) fn primitive(&self) -> (Rational, Self) {
         let contents = self.0.values().map(|value| value.numerator().content().abs());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);

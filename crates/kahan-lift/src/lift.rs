@@ -55,7 +55,7 @@ pub enum RelationBehaviour {
     Kept,
     /// The error stays bounded.
     Bounded,
-    /// The error decays, up to the contribution of each step.
+    /// The error decays, while each step adds a new small error.
     Decays,
     /// The error grows in proportion to time.
     Drifts,
@@ -72,7 +72,7 @@ pub struct Relation {
     pub along: Option<RelationBehaviour>,
     /// The modified function that the map preserves exactly.
     pub formula: Option<String>,
-    /// The largest growth rate of errors among all relations, per unit of time.
+    /// The growth rate of errors per unit of time, the largest of all relations of the lift.
     pub rate: Option<f64>,
     /// The index of the new variable that the relation defines.
     pub defines: Option<usize>,
@@ -94,8 +94,8 @@ pub struct Lift {
     pub new: Vec<NewVariable>,
     /// The quadratic field in the states and the new variables.
     pub field: Field,
-    /// Whether a complete search proved that no smaller set of monomials exists. The search covers
-    /// sets in which each missing monomial is a product of two variables.
+    /// Whether a complete search proved that no lift has fewer new variables. The search covers
+    /// lifts that write each monomial of the field as a product of two variables.
     pub is_optimal: bool,
     /// The reason why this lift was chosen.
     pub chosen: String,
@@ -103,8 +103,8 @@ pub struct Lift {
     pub relations: Vec<Relation>,
     /// The energy that the map preserves exactly.
     pub energy: Option<String>,
-    /// Warnings about points where only a new variable is infinite, and about phase errors of
-    /// periodic forces.
+    /// Warnings about points at which a new variable is infinite but the equations are finite, and
+    /// about phase errors of periodic forces.
     pub notes: Vec<String>,
     ring: Ring,
     embedding: Embedding,

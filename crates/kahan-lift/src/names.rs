@@ -58,7 +58,7 @@ impl<'a> Writer<'a> {
         notation.quotient(&side(&above), &side(&below))
     }
 
-    /// Splits a monomial into the product of its exponentials, given by the exponent, and the rest.
+    /// Splits a monomial into exp u and a rest. Returns u and the powers of the rest.
     fn split_exponentials(&self, monomial: &Monomial) -> (Laurent, Vec<(usize, i16)>) {
         let mut sum = Laurent::zero();
         let mut rest = Vec::new();

@@ -151,7 +151,7 @@ impl<'a> Products<'a> {
                 pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()
             };
             pairs.sort_by_key(|pair| (!(*pair == Monomial::power(of, 1) && is_negative), new(pair)));
-            // Equations of states that are quadratic stay as written.
+            // A product of two states in the equation of a state stays as written.
             if of < states && pairs.first().is_some_and(|pair| new(pair) == 0) {
                 pairs.truncate(1);
             }
@@ -196,8 +196,8 @@ impl<'a> Products<'a> {
         Some(choices.into_iter().map(form).collect())
     }
 
-    /// Prefers the product rule (uv)′ = u′v + uv′ for products of variables with affine equations.
-    /// The map then preserves the relation of the product. States keep their equations.
+    /// Prefers (uv)′ = u′v + uv′ for a new variable uv, if the equations of u and v are affine. The
+    /// map then preserves the relation between uv, u and v.
     fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
         for (index, variable) in self.variables.iter().enumerate().skip(self.ring.field.len()) {
             let Some(monomial) = variable.as_monomial() else { continue };

@@ -28,8 +28,8 @@ pub(crate) struct Reader {
     pub is_declared: bool,
     constants: Vec<(String, Laurent)>,
     pub ring: Ring,
-    /// For each kind of function and each argument up to rational multiples: the greatest common
-    /// divisor of the multiples.
+    /// For each kind of function and each argument, without its rational factor: the greatest
+    /// common divisor of the rational factors with which the argument occurs.
     units: Vec<(FunctionFamily, Laurent, Rational)>,
 }
 
@@ -352,8 +352,8 @@ impl Reader {
         self.function(function, argument, slope)
     }
 
-    /// Returns exp u as the product of the exponentials of the terms of u. If u has a constant
-    /// term, exp u is one coordinate.
+    /// Returns exp u as the product of the exponentials of the terms of u. If u has a constant term
+    /// c, exp u is not split, because exp c is not rational.
     fn exponential(&mut self, argument: &Laurent, span: Span) -> ReadResult<Laurent> {
         if argument.is_zero() {
             return Ok(Laurent::number(Rational::one()));

@@ -79,7 +79,7 @@ impl Embedding {
                 Operation::Call(function, a, exponent) => match function {
                     CalledFunction::SquareRoot
                     | CalledFunction::Elementary(Function::Exp | Function::Cosh) => true,
-                    // An odd root has the sign of its argument.
+                    // Real powers are positive, except odd roots, which may be negative.
                     CalledFunction::RealPower => !matches!(
                         &operations[exponent.0],
                         Operation::Constant(value) if value.to_f64().recip().round() % 2.0 != 0.0

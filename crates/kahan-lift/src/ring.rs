@@ -111,9 +111,9 @@ pub(crate) struct Coordinate {
 enum RewriteRule {
     /// The monomial is replaced by the polynomial.
     Replace(Monomial, Laurent),
-    /// The coordinate b is a root with b^index = `base`, and `instead` equals the leading monomial
-    /// of `base`. Powers of b are reduced below the index. The leading monomial is replaced in
-    /// products with negative powers of b.
+    /// The coordinate b is a root: b^index = `base`. Products contain powers of b below `index`
+    /// only. In products with negative powers of b, the monomial `leading` of `base` is replaced by
+    /// `instead`.
     Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
 }
 

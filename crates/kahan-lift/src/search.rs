@@ -1,8 +1,8 @@
-//! Searches a smallest set of monomials that makes the equations quadratic.
+//! Searches for a smallest set of monomials that makes the equations quadratic.
 //!
 //! A set of variables is closed if each monomial in their derivatives is 1, a variable, or a
 //! product of two variables, or follows from such products by a relation. Iterative deepening
-//! branches over the ways to write one missing monomial. After too many nodes, local changes
+//! branches over the ways to write one missing monomial. After too many branches, local changes
 //! improve a greedy solution. The search reads no clock, so results are reproducible.
 
 use std::cmp::Reverse;
@@ -47,7 +47,7 @@ const LOCAL_CHANGES: usize = 40;
 #[derive(Clone, Debug, Default)]
 struct MonomialCover {
     covered: FxHashSet<MonomialId>,
-    /// Products of variables that contain several monomials not yet covered.
+    /// Products of variables that have several monomials which are not yet covered.
     composite: Vec<Rc<[MonomialId]>>,
 }
 
@@ -381,7 +381,7 @@ impl<'a> Search<'a> {
         Some(self.without_unnecessary(closed))
     }
 
-    /// Removes variables while the set can be closed with fewer variables.
+    /// Removes single variables as long as the `closure` of the others is smaller than `best`.
     fn without_unnecessary(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
         let mut at = 0;
         while at < best.len() {

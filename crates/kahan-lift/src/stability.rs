@@ -19,7 +19,7 @@ pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
 /// The computation ends at this amplification of errors.
 const MAX_AMPLIFICATION: f64 = 1e8;
 const MOST_POINTS: usize = 20_000;
-/// A step of the orbit has at most this many parts.
+/// For the exponential of a matrix, a step is divided into at most this many substeps.
 const MOST_PARTS: f64 = 64.0;
 /// The tolerance of a step, relative to the largest component of the state.
 const TOLERANCE: f64 = 1e-6;
@@ -37,7 +37,7 @@ impl ErrorGrowth {
         self.exponent <= LARGEST_EXPONENT && self.amplification <= LARGEST_AMPLIFICATION
     }
 
-    /// Returns whether the amplification grows at most linearly in time.
+    /// Returns whether errors grow at most in proportion to time, and not exponentially.
     pub(crate) fn is_polynomial(&self) -> bool {
         self.amplification <= 3.0 * self.half
     }
@@ -152,8 +152,8 @@ impl Orbit {
                     row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
             }
-            // For the matrix Λ = `lambda` and a step h in parts s, exp(hΛ) is about (1 + sΛ +
-            // (sΛ)²/2)^(h/s). Usually s‖Λ‖ is at most 1/2.
+            // For the matrix Λ = `lambda` and a step h of h/s substeps of length s, exp(hΛ) is
+            // about (1 + sΛ + (sΛ)²/2)^(h/s). Usually s‖Λ‖ is at most 1/2.
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;

@@ -1,4 +1,4 @@
-//! Numbers monomials, and stores their products and derivatives.
+//! Gives each monomial a number, and stores products and derivatives of monomials.
 
 use std::rc::Rc;
 
@@ -12,7 +12,7 @@ pub(crate) type MonomialId = u32;
 #[derive(Clone, Debug)]
 struct MonomialEntry {
     monomial: Monomial,
-    /// The monomials of the normal form. `None` for monomials in normal form.
+    /// The monomials in the normal form of `monomial`; `None` if it is in normal form.
     rewritten: Option<Rc<[MonomialId]>>,
     derivative: Option<Rc<[MonomialId]>>,
 }

@@ -40,7 +40,7 @@ impl System {
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-    // The function `max` would ignore NaN.
+    // An infinite distance stands for NaN, which `f64::max` would ignore.
     let far = |a: f64, b: f64| if a.is_finite() && b.is_finite() { (a - b).abs() } else { f64::INFINITY };
     a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
 }

@@ -49,8 +49,8 @@ pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, Str
     }
 }
 
-/// Changes one coefficient or sign of a claim at a time until the claim fails. Returns the number
-/// of changes and the failing claim. Each change costs a proof, as in [`establish_block_claim`].
+/// Tries changed claims, each with one changed coefficient or sign, until one fails. Returns the
+/// number of tries and the failing claim. Each costs a proof, as in [`establish_block_claim`].
 #[must_use]
 pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>) {
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };

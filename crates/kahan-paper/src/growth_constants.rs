@@ -20,9 +20,9 @@ pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
 
 /// Computes the limit C₁ for dE7; `None` if a and b below have different denominators.
 ///
-/// Let a = τ + 1 − ξ/2 and b = τ + ξ/2 have the common denominator M. Then C₁ is the mean of max(0,
-/// ψ(b_r) − ψ(a_r)) over the residues r coprime to M, where M a_r is M a/r modulo M, and M b_r is M
-/// b/r modulo M. This follows from the prime number theorem for the residue classes r.
+/// Let a = τ + 1 − ξ/2 and b = τ + ξ/2 have the common denominator M. Let a_r in (0, 1] be the
+/// multiple of 1/M with r·M·a_r ≡ M·a modulo M, and let b_r be defined likewise. Then C₁ is the
+/// mean of max(0, ψ(b_r) − ψ(a_r)) over residues r coprime to M (prime number theorem for each r).
 fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);
@@ -49,8 +49,8 @@ fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     Rational::parse(&mean.to_digits(50))
 }
 
-/// Computes the limit C₁ for dE8: (M/φ(M)) Σ 1/m over the numbers 0 < m < M coprime to M. Here M
-/// is the denominator of τ + 1/2, and φ is Euler's function. The limit is 1 for M = 1.
+/// Computes the limit C₁ for the orbit of dE8 with x₀ = 1/(2ετ): (M/φ(M)) Σ 1/m over 1 ≤ m ≤ M
+/// coprime to M, where M is the denominator of τ + 1/2 and φ is Euler's function.
 fn c1_of_de8(tau: &Rational) -> Option<Rational> {
     let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
     let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();

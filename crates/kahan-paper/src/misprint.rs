@@ -11,7 +11,7 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// Returns the misprinted item and the correction, which have the most words in common.
+    /// Returns the misprinted item and the claim's item that has most words in common with it.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
@@ -60,7 +60,7 @@ impl Paper {
                     Some(value) => {
                         point.insert(definition.name, value);
                     }
-                    // A value such as log 3 is substituted as a formula.
+                    // The point has rational numbers only, so log 3 is substituted as a formula.
                     None => others.push(definition),
                 },
                 witness @ Item::Relation { .. } => witnesses.push(witness),

@@ -193,7 +193,7 @@ where
         if self.is_constant(b, 0) || self.is_constant(a, 1) {
             return b;
         }
-        // Operands are sorted, so a·b and b·a become one operation.
+        // The smaller node becomes the first operand, so a·b and b·a are one operation.
         self.with_sign_outside(a, b, Self::multiply)
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }

@@ -87,8 +87,8 @@ impl<I, C, F: Function> Operation<I, C, F> {
 }
 
 impl<I, C, F> Operation<I, C, F> {
-    /// Returns the operation for a program with other types of inputs, constants and functions,
-    /// with operands renamed by `rename`. Returns `None` for an input, a constant or a call.
+    /// Returns the arithmetic operation with operands renamed by `rename`, for a program with any
+    /// other types. Inputs, constants and calls contain values of those types, and give `None`.
     pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,

@@ -12,7 +12,7 @@ where
     O: Deref<Target = [Operation<usize, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Runs a program whose inputs are indices into `inputs`, without allocation.
+    /// Runs a program without allocation. The inputs of the program are indices into `inputs`.
     ///
     /// Overwrites `workspace`, which needs one entry for each operation, and `outputs`. Returns
     /// `None` if a constant, a quotient or a call is undefined.

@@ -90,9 +90,9 @@ impl<T: RuntimeFloat> MapAt<T> {
         MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
 
-    /// Returns the map whose steps equal those of ensembles at an instruction-set level, bit for
-    /// bit. Levels above [`Level::Baseline`], the default, fuse multiply-adds. Returns `None` if
-    /// the processor lacks the level, or if the step has no machine code.
+    /// Returns the map whose steps equal, bit for bit, those of trajectories in columns at an
+    /// instruction-set level. Levels above [`Level::Baseline`], the default, fuse multiply-adds.
+    /// Returns `None` if the processor lacks the level, or if the step has no machine code.
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
         let (set, fuses) = match level {
@@ -138,8 +138,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(())
     }
 
-    /// Advances a state whose length was checked. `numbers[1]` holds the rounding errors of the
-    /// state, or is empty.
+    /// Advances the state `numbers[0]`, whose length was checked. For compensated summation,
+    /// `numbers[1]` holds the rounding errors of the state. Otherwise it is empty.
     pub(crate) fn advance_checked(&self, numbers: [&mut [T]; 2], steps: u64) {
         let interpret = |numbers: [&mut [T]; 2], steps| {
             self.engine().advance(self.kind, self.stages(), numbers, steps);

@@ -149,7 +149,7 @@ impl Coefficients {
         Ok(())
     }
 
-    /// Returns the field with a text of its equations.
+    /// Returns the field, with its equations written as text.
     #[must_use]
     pub fn text(self) -> FieldText {
         FieldText::of_system(self.system(), "field".to_owned())

@@ -24,7 +24,7 @@ pub(crate) enum Argument {
     Parameters,
     Parameter(String),
     Type,
-    /// A step with a guaranteed error bound, for which the dimension is too large.
+    /// The dimension of a step with a guaranteed error bound, which is too large.
     Promise,
 }
 
@@ -43,7 +43,7 @@ impl DimensionError {
         self.found
     }
 
-    /// Returns the number of entries that the argument needs; for rows, the length of a row.
+    /// Returns the needed number of entries. In a list of rows, each row needs this number.
     #[must_use]
     pub fn expected(&self) -> usize {
         self.expected

@@ -16,7 +16,7 @@ pub enum End {
     Reembed(u64),
     /// The time limit was reached.
     Time(u64),
-    /// The observers needed no further points, or the watch stopped the run.
+    /// The observers needed no further points, or the caller stopped the run.
     Stopped(u64),
 }
 
@@ -63,7 +63,7 @@ impl End {
         }
     }
 
-    /// Returns whether the orbit ended early without being stopped.
+    /// Returns whether the orbit ended early, for a reason other than [`Stopped`](Self::Stopped).
     #[must_use]
     pub fn is_early(self) -> bool {
         !matches!(self, Self::Complete | Self::Stopped(_))

@@ -205,8 +205,8 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // The result overwrites the operand that is still in memory, if there is one, or else a
-            // copy of the addend.
+            // The result gets a new register. An operand in memory is loaded there, or the addend
+            // is copied there if all operands are in registers.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {

@@ -52,7 +52,7 @@ pub(crate) struct Allocation {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
     pub(crate) ends: ResultDestination,
-    /// Whether the constants are equal in many rounds, so that keeping them in registers pays.
+    /// Whether the constants stay equal throughout the loop, so that registers should keep them.
     pub(crate) keeps_constants: bool,
 }
 

@@ -4,7 +4,7 @@ use crate::lowering::SIGN_BIT;
 use crate::program::{Instruction, Program};
 
 pub(super) struct Uses {
-    /// The times of all uses, ordered by value, with room for one more use of each value.
+    /// The times of all uses, ordered by value. Each value has a free entry, which `add` may fill.
     times: Vec<u32>,
     /// For each value, the range of its remaining uses in `times`.
     of: Vec<[usize; 2]>,

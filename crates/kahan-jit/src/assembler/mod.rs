@@ -1,7 +1,7 @@
 //! Assemblers for straight-line floating-point code, one per processor.
 //!
-//! The machine code is followed by a pool of constants. Tests compile the modules of both
-//! processors, and compare their bytes with those of other assemblers.
+//! A pool of constants follows the machine code. On every machine, tests compile both assemblers,
+//! and check their instructions with other tools.
 
 #[cfg(any(target_arch = "aarch64", test))]
 mod a64;
@@ -38,7 +38,7 @@ pub(crate) enum Fused {
     SubtractProduct,
 }
 
-/// The operands d, b and c of a fused operation. The result overwrites d.
+/// Says which of the operands d, b and c are multiplied. The result overwrites d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FusedOrder {
     /// Multiplies d by c; b is the addend.

@@ -1,4 +1,4 @@
-//! Routines around straight-line code, which load before a loop and store after the loop.
+//! Machine-code functions that run a program once, repeatedly on a state, or on columns of states.
 
 mod function;
 mod orbit;

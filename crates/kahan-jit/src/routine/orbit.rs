@@ -59,7 +59,7 @@ impl<T: Float> Orbit<T> {
         Ok(Orbit { code, ends, round_bytes })
     }
 
-    /// Returns the length in bytes of the instructions of a round, with the jump to the next one.
+    /// Returns the length in bytes of the code of one round, including the jump back to its start.
     #[must_use]
     pub fn round_bytes(&self) -> usize {
         self.round_bytes
@@ -73,8 +73,8 @@ impl<T: Float> Orbit<T> {
         self.code.orbit(state, constants, steps);
     }
 
-    /// Writes the state one step later to `next`. Code that keeps states in registers reads `state`
-    /// itself instead of a copy, because loading numbers that were just stored is slow.
+    /// Writes the state after one step to `next`. Code that keeps states in registers reads `state`
+    /// directly. Other code is slower, because `state` is first copied to `next`.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.

@@ -10,7 +10,7 @@ use crate::{CompileError, Program};
 
 use super::Frame;
 
-/// The constants with which a sweep runs.
+/// Says whether all trajectories of a sweep run with equal constants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Constants {
     /// All trajectories share one set of constants.
@@ -87,8 +87,8 @@ impl<T: Float> Sweep<T> {
         constants
     }
 
-    /// Advances all trajectories by `steps` rounds. Each constant fills a register of numbers. If
-    /// each SIMD register of trajectories has its own constants, the sets follow one another.
+    /// Advances all trajectories by `steps` rounds. Each constant is repeated for each lane of a
+    /// register. If registers have their own constants, `constants` holds one set after the other.
     ///
     /// # Panics
     /// If the columns differ in length, or the length is not a multiple of [`width`](Self::width).

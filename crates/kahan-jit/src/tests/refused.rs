@@ -1,4 +1,4 @@
-//! Tests that some programs are refused, and that instruction sets are available.
+//! Tests which programs the compiler refuses, and that all others fit on the stack of a thread.
 
 use kahan_program::Node;
 

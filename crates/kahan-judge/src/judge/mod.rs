@@ -41,7 +41,7 @@ pub(crate) trait ExactMap: Debug + Send + Sync {
     }
 
     /// Returns the denominator of the map as a polynomial in one variable, which is chosen at
-    /// random. For `is_removable`, returns the removed factor instead.
+    /// random. For `is_removable`, returns instead the factor that cancels in the map.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 
@@ -55,11 +55,11 @@ pub(crate) trait ExactStep {
 /// The comparison of a finite result with the exact step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Verdict {
-    /// The relative error ‖error‖∞/‖exact‖∞ or the backward error, in units of u = 2^−precision.
+    /// The relative error, or in tests by residuals the backward error, in units of 2^−precision.
     pub(crate) error_u: f64,
     /// Whether the error bound of `try_step` holds.
     pub(crate) keeps_promise: bool,
-    /// Whether the relative error is at most 1e-3.
+    /// Whether the result is right to about three digits: the relative error is at most 1e-3.
     pub(crate) is_rough: bool,
 }
 

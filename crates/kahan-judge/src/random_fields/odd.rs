@@ -52,7 +52,7 @@ pub(crate) struct Draw {
     pub(crate) states: Vec<String>,
     pub(crate) parameters: Vec<String>,
     divisors: Vec<String>,
-    /// The largest offset of a neighbour in the equations of a chain; 0 for fields.
+    /// In a chain, the largest offset j in names such as `x[i+j]` and `x[i-j]`; 0 for fields.
     pub(crate) offsets: i64,
     /// The coefficient n·2^k that was written last, as the pair (n, k).
     last: (u64, i64),

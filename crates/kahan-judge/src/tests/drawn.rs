@@ -6,7 +6,7 @@ pub(super) struct Drawn {
     /// The field or chain. Parameters of a whole chain come before those of its sites.
     pub(super) field: OddField,
     pub(super) of_sites: usize,
-    /// The number of variables of a field, or the number of arrays of a chain.
+    /// The number of variables of a field, or of variables at each site of a chain.
     pub(super) variables: usize,
     pub(super) sites: Option<usize>,
 }
@@ -21,7 +21,7 @@ pub(super) fn odd_of_many(seed: u64, number: usize) -> Drawn {
     Drawn { field: plain(seed, number, "Many", variables), of_sites: 0, variables, sites: None }
 }
 
-/// Draws the chain with this number. The chain is periodic or open, and has one to three arrays.
+/// Draws the chain with this number, periodic or open, with one to three variables at each site.
 pub(super) fn odd_chain(seed: u64, number: usize) -> Drawn {
     let mut draw = Draw::new(seed, "Chain", number);
     let (arrays, reach) = (1 + number % 3, 1 + draw.below(2) as i64);

@@ -1,5 +1,4 @@
-//! Tests `try_step` near the limits of float formats on samples, and steps that another program
-//! makes.
+//! Tests `try_step` near the limits of float formats, here and in a program with generated code.
 
 mod as_compiled;
 pub(crate) mod compiled;

@@ -5,7 +5,7 @@
 //!
 //! |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ,
 //!
-//! where k is the number of entries of A in row i or in the widest row.
+//! where k is the number of entries of A in row i for chains, and in the widest row for fields.
 
 use std::cmp::Ordering;
 

@@ -75,7 +75,7 @@ pub(super) fn terms(formula: &str) -> Vec<&str> {
 /// Returns the factors of a product. The first factor keeps its sign.
 pub(super) fn factors(term: &str) -> Vec<&str> {
     let glued = |before: &str, rest: &str| {
-        // An accent or a function stays with its argument, and a dot with the next factor.
+        // No break separates an accent, a function or `\cdot` from the next factor.
         let last = before.rsplit(' ').next().unwrap_or_default();
         matches!(last, "+" | "-" | "\\cdot" | "\\,")
             || last.starts_with("\\operatorname")

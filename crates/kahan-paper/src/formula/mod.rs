@@ -12,9 +12,10 @@
 //! | `on(E, a, b, c)` | E at the point (a, b, c) |
 //! | `at(E, v, a)` | E with the name v replaced by a |
 //! | `d(E, v)` | ∂E/∂v |
-//! | `f(i)`, `A(i,j)`, `b(i)`, `J(i,j)`, `detA`, `detJ` | the field, A(x,ε), b(x,ε), ∂x̃/∂x and determinants |
+//! | `f(i)`, `A(i,j)`, `b(i)` | the field f(x), and A and b of the step A(x,ε)·x̃ = b(x,ε) |
+//! | `J(i,j)`, `detA`, `detJ` | the Jacobian matrix J = ∂x̃/∂x, and determinants of A and J |
 //! | `sum(j, a, b, E)` | the sum of E over j = a, …, b |
-//! | `exp`, `sinh`, `sn`, `gamma`, … | Jacobi's functions with the modulus second, Γ, ψ (`digamma`), theta functions, … |
+//! | `exp`, `sn`, `gamma`, … | elementary, Jacobi's (modulus second), Γ, ψ (`digamma`), theta, … |
 
 mod atoms;
 mod derivative;

@@ -6,7 +6,7 @@ use kahan_systems::registry::find;
 use crate::claim::Outcome;
 use crate::verdict::{OpenQuestion, Verdict, Verdicts};
 
-/// An excerpt of a statement is left out if there is room for fewer characters.
+/// If a line has room for fewer characters than this, it shows no excerpt of the statement.
 const LEAST_SEEN: usize = 12;
 
 impl Verdicts {

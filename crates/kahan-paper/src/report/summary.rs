@@ -17,8 +17,8 @@ kahan verify SYSTEM     the claims about one system, a line each
 kahan atlas --out DIR   the same as a page with formulas and figures";
 
 impl Verdicts {
-    /// Writes one line for each section, then failures or misprints. The text has at most 40 lines
-    /// of about `width` characters.
+    /// Writes one line for each section, then the failures, or the misprints if nothing failed. The
+    /// text has at most 40 lines of about `width` characters.
     #[must_use]
     pub fn summary(&self, width: usize) -> String {
         let mut text = sections(self);

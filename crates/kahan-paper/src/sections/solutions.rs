@@ -122,7 +122,7 @@ impl Solution {
             if signs == [""; 3] {
                 return claim(state, step);
             }
-            // Here n is odd, and n + 1 is even.
+            // A claim for odd n: the factor (−1)ⁿ is −1 at n, and 1 at n + 1.
             let [x, y, z] = [0, 1, 2].map(|j| format!("{}{}(n)", signs[j], FUNCTIONS[j]));
             claim(state, format!("{step}; on(next({state}), {x}, {y}, {z}) = {name}(n + 1)"))
         });
@@ -150,7 +150,7 @@ theorem3.e4.symmetries | Theorem 3, i = 4, addition: the symmetries (x,y,z) -> (
     on(next(x), y, x, -z) = next(y); on(next(y), y, x, -z) = next(x); on(next(z), y, x, -z) = -next(z)
 ";
 
-/// Coordinates of an Euler top on an orbit of dE4.
+/// Functions on an orbit of dE4 that solve the map of an Euler top.
 const ELLIPTIC: &str = "
     v(n) := 2*delta*n + kappa;
     p(n) := k*sn(delta, k)*cn(v(n), k)/(eps*dn(delta, k));

@@ -123,7 +123,7 @@ pub(super) const STRUCTURES: [StructureRow; 9] = [
     },
 ];
 
-/// Returns the Lie-Poisson pair and the map's structures of a system E1 to E9.
+/// Returns the row of E1 to E9: the flow's Lie-Poisson pair, and the map's integrals and pair.
 #[must_use]
 pub fn structure(system: &str) -> Option<&'static StructureRow> {
     STRUCTURES.iter().find(|structure| structure.system == system)

@@ -1,4 +1,4 @@
-//! The points of a group of orbits, if the dimension is known only at run time.
+//! The points of orbits that advance together, for dimensions that are known only at run time.
 
 use core::array::from_fn;
 

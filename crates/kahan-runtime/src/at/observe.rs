@@ -63,8 +63,8 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits in groups. The default loop observes each group for which `has_observed`
-    /// returns `false`.
+    /// Observes orbits in groups. If `has_observed` returns `false` for a group, this function
+    /// observes the group itself.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -176,7 +176,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// Returns machine code that steps orbits with their tangent vectors by the variational field.
+    /// Returns machine code that steps orbits and tangent vectors by the variational field's map.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,

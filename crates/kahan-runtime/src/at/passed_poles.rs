@@ -16,8 +16,8 @@ use crate::engine::{split, stage_constants};
 pub struct PassedPoleCount {
     /// The number of steps that pass over a pole.
     pub steps: u64,
-    /// Whether signs of det A replaced roots of d. Steps over an even number of roots are then
-    /// missed, and removable zeros of det A are counted.
+    /// Whether signs of det A were used instead of roots of the denominator. Steps over an even
+    /// number of roots are then missed, and removable zeros of det A are counted.
     pub is_lower_bound: bool,
 }
 

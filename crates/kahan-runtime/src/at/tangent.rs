@@ -14,7 +14,7 @@ use crate::{Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint, Se
 const MOST_COLUMNS: usize = 3 * MOST + 2;
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns the map of states that hold a point and then a tangent vector.
+    /// Returns the tangent map. Its state is a point, followed by a tangent vector at the point.
     #[must_use]
     pub fn tangent(&self) -> Tangent<Self> {
         Tangent::new(self.clone(), 1)

@@ -222,7 +222,6 @@ fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     }
 }
 
-/// Code in double-double stops before the end of an orbit; single steps then find the end.
 #[test]
 fn an_orbit_ends_after_its_last_finite_point() {
     let end_of = |text: &str, eps: f64, scheme: Scheme| {

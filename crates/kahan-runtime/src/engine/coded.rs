@@ -1,7 +1,7 @@
 //! Steps of single states by machine code.
 //!
-//! In: a kind of step, with the parameters and ε of each stage. Out: states after some steps. A
-//! step that the code rejects is repeated by the caller's interpreter.
+//! In: a `StepKind` (the precision and the formula), with the parameters and ε of each stage. Out:
+//! states after some steps. A step that the code rejects is repeated by the caller's interpreter.
 
 use std::sync::{Arc, OnceLock};
 
@@ -24,10 +24,10 @@ pub(super) const GUARDED: u64 = 64;
 /// The code of an orbit, compiled at first use; `Some(None)` after a failed compilation.
 type OrbitCodeCell<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
-/// The stages of a step as code, with constants for each distinct stage; the middle stage is last.
+/// The stages of a palindromic step as code, with constants for the stages up to the middle one.
 #[derive(Clone, Debug)]
 pub(crate) struct CompiledStages<T: RuntimeFloat> {
-    /// The code for plain states, then the code for states with rounding errors.
+    /// The code for plain steps, then the code for steps with compensated summation.
     codes: [Arc<OrbitCodeCell<T::Word>>; 2],
     pub(super) kind: StepKind,
     pub(super) constants: Arc<[Vec<T::Word>]>,
@@ -40,8 +40,7 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         CompiledStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages, if all have this number of stages and one kind of
-    /// step.
+    /// Returns the number of distinct stages, if this number and `kind` are equal for all of `all`.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
@@ -56,7 +55,7 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         self.codes[0].get()?.as_deref()
     }
 
-    /// Advances columns by the loops of a dense field, which call `alone` to repeat rejected steps.
+    /// Advances columns by code that loops over a field's terms. `alone` repeats rejected steps.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T::Word]],

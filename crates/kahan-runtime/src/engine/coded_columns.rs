@@ -176,7 +176,7 @@ struct PreparedColumns<'a, T> {
 }
 
 impl<T: MachineFloat> PreparedColumns<'_, T> {
-    /// Prepares the constants of some SIMD registers of trajectories, from trajectory `first` on.
+    /// Prepares constants for trajectories from index `first` on that fill this many `registers`.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

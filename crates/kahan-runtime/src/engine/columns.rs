@@ -84,7 +84,7 @@ impl Engine {
         }
     }
 
-    /// Returns the common kind of step of all single orbits; `None` if the kinds differ.
+    /// Returns `kind` with the formula that all single orbits use; `None` if their formulas differ.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,

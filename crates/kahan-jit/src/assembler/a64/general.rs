@@ -55,7 +55,7 @@ pub(crate) struct Label(pub(crate) usize);
 #[must_use]
 pub(crate) struct ForwardJump(usize);
 
-/// The opcodes of cbz, of cbnz, and of b.cond for the condition "below" and its opposite.
+/// The five constants are the opcodes of cbz, cbnz, b.lo, b.hs and b, in this order.
 const IF_ZERO: u32 = 0xb400_0000;
 const IF_NOT_ZERO: u32 = 0xb500_0000;
 const IF_BELOW: u32 = 0x5400_0003;
@@ -86,8 +86,8 @@ impl Assembler {
         self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
     }
 
-    /// Loads or stores `size` bytes at base + offset. The first of `words` encodes the offset as a
-    /// 12-bit multiple of `size`, and the second as a register.
+    /// Loads or stores `size` bytes at base + offset. `words` holds two opcodes: the first takes
+    /// the offset as a 12-bit multiple of `size`, the second takes it in a register.
     pub(super) fn access(
         &mut self,
         words: [u32; 2],
@@ -125,7 +125,7 @@ impl Assembler {
         self.word(0x9000_0000 | GeneralRegister::BEYOND.number());
     }
 
-    /// Writes stp x29, x30 and mov x29, sp, which save the frame record in `bytes` stack bytes.
+    /// Saves the frame record (stp, mov) in a new stack frame of `bytes` bytes.
     pub(super) fn begin_frame(&mut self, bytes: u32) {
         let offset = (bytes / 8).wrapping_neg() & 0x7f;
         self.word(0xa980_7bfd | offset << 15);

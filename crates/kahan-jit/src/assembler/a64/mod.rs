@@ -246,7 +246,7 @@ impl Assembler {
         }
     }
 
-    /// Rounds to the nearest single-precision number, stored in the element type of the form.
+    /// Rounds numbers to single precision, and stores the results in the operands' float type.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);

@@ -127,8 +127,8 @@ impl Assembler {
             }
             Source::Memory(Memory::Indexed { base, index }) => {
                 assert!(index != GeneralRegister::Rsp, "this register is no index");
-                // An offset of 0 is written, because some bases require an explicit offset.
                 let index = (index as u8 & 7) << 3;
+                // An offset of 0 is written too, because some base registers require an offset.
                 if may_be_short {
                     self.bytes.extend([0x40 | register | MORE, index | base as u8 & 7, 0]);
                 } else {

@@ -117,7 +117,7 @@ impl Assembler {
         self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
     }
 
-    /// Rounds to the nearest single-precision number, stored in the element type of the form.
+    /// Rounds numbers to single precision, and stores the results in the operands' float type.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);

@@ -236,7 +236,7 @@ fn all(bytes: &[u8]) -> Vec<Instruction> {
 #[test]
 fn numbers_are_rounded_to_single_precision_and_taken_back() {
     for form in FORMS.into_iter().filter(|form| form.element == Element::Double) {
-        // Single-precision numbers fill half of the register. The shortest register has 128 bits.
+        // Numbers in single precision take half of a register. No register is below 128 bits.
         let half = match form.width {
             Width::Bits512 => Width::Bits256,
             _ => Width::Bits128,

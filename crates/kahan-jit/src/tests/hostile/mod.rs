@@ -1,5 +1,5 @@
-//! Hostile programs on slices between inaccessible pages. Every program that safe code can build is
-//! refused, or accesses no other memory.
+//! Runs hostile programs on slices between inaccessible pages. Each program that safe code can
+//! build must be refused, or access only its slices.
 //!
 //! The fuzz target `program` compiles these files, too; therefore they use only public items.
 
@@ -196,7 +196,7 @@ impl Case {
         }
     }
 
-    /// Returns `count` numbers, of which only the first and the last thousand can be nonzero.
+    /// Returns `count` numbers, of which all but the first and last thousand are 0 to save time.
     fn numbers<T: num_traits::Float>(&self, draw: &mut Draw, count: usize) -> Guarded<T> {
         const FEW: usize = 1000;
 

@@ -5,7 +5,7 @@ use super::super::super::claim::Claim;
 use super::super::super::section::Section;
 use super::super::text::read;
 
-/// The ratios in which the map is linear: N = 1/(2εx), Y = y/x and Z = z/x.
+/// The variables of the recurrences: N = 1/(2εx), Y = y/x and Z = z/x.
 const RATIOS: &str = "N := 1/(2*eps*x); Y := y/x; Z := z/x";
 
 /// The solution that starts at x₀ = 1/(2ετ), y₀ = β/(2ε), z₀ = γ/(2ε).
@@ -19,7 +19,7 @@ const SOLUTION: &str = "
     Z(n) := tau*gamma*(4*N(n)^2 - 1)/(2*eps*(4*tau^2 - 1)*N(n))
         + 2*tau^2*beta^2*xi*(4*N(n)^2 - 1)*G0^2/(eps*N(n))*W(n)";
 
-/// The solution in terms of g = g_n and W = W_n. The call `step(F)` is F at the next point.
+/// The solution in terms of g = g(n) and W = W(n) above. The call `step(F)` is F at the next point.
 const STEP: &str = "
     X := 1/(2*eps*N); Y := tau*beta/(2*eps*N)*g*G0;
     Z := tau*gamma*(4*N^2 - 1)/(2*eps*(4*tau^2 - 1)*N) + 2*tau^2*beta^2*xi*(4*N^2 - 1)*G0^2/(eps*N)*W;

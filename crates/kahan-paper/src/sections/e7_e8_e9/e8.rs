@@ -21,7 +21,7 @@ const SOLUTION: &str = "
     solution(n, prefactor) := tau*(4*n*(n + 2*tau)*(beta^2*tau + beta + gamma) + 4*tau^2*gamma - gamma)
         /(2*eps*(4*tau^2 - 1)*N(n)) - prefactor*(4*N(n)^2 - 1)/(2*eps*N(n))*V(n)";
 
-/// The solution in terms of U = U_n and V = V_n. The call `step(F)` is F at the next point.
+/// The solution in terms of U = U(n) and V = V(n) above. The call `step(F)` is F at the next point.
 const STEP: &str = "
     N := n + tau; X := 1/(2*eps*N); Y := (tau*beta - U)/(2*eps*N);
     Z := tau*(4*n*(n + 2*tau)*(beta^2*tau + beta + gamma) + 4*tau^2*gamma - gamma)/(2*eps*(4*tau^2 - 1)*N)

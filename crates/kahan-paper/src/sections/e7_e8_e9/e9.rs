@@ -1,4 +1,4 @@
-//! Claims about the flow of E9: the quadrature, the cases in closed form, and the fixed points.
+//! Claims about the flow of E9: the time as an integral over x, closed forms, and fixed points.
 
 use super::super::super::claim::Claim;
 use super::super::super::section::Section;

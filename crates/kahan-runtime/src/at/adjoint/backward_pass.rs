@@ -86,7 +86,7 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
             self.take_by_duals(stage, x, gradient);
         } else {
             let half = T::one() / (T::one() + T::one());
-            // The polarised field at x and x̃ is q(x,x̃) = c + ½Bx + ½f′(x)x̃.
+            // For f(x) = c + Bx + Q(x,x), the polarised field at (x, x̃) is c + ½Bx + ½f′(x)x̃.
             let mut along = terms.along_linear(x, mu);
             gradient.start.copy_from_slice(mu);
             for (((i, j), before), behind) in solver.entries().iter().zip(&*before).zip(&*behind) {

@@ -143,7 +143,7 @@ impl<T: RuntimeFloat> Terms<T> {
         }
     }
 
-    /// Returns μ·(c + ½Bx), where ẋ = c + Bx + Q(x,x).
+    /// Returns μ·(c + ½Bx) for the vector μ = `mu` and the field ẋ = c + Bx + Q(x,x).
     pub(super) fn along_linear(&self, x: &[T], mu: &[T]) -> T {
         let half = T::one() / (T::one() + T::one());
         self.linear.iter().fold(T::zero(), |sum, (i, state, coefficient)| {
@@ -151,7 +151,8 @@ impl<T: RuntimeFloat> Terms<T> {
         })
     }
 
-    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to `sums` for each parameter a, where q is the polarised field.
+    /// For each parameter a, adds 2·`scale` times the scalar product of `mu` and ∂q(x,y)/∂a to
+    /// `sums`, where q is the polarised field.
     pub(super) fn add_by_parameters(&self, scale: T, [x, y]: [&[T]; 2], mu: &[T], sums: &mut [T]) {
         let mut first = 0;
         for (i, states, end) in &self.varying {

@@ -1,4 +1,4 @@
-//! Compares encoded instructions with the output of GNU binutils for the text in the comment.
+//! Compares instructions with the words that GNU binutils produces for the text above a test case.
 //! Parentheses after the text say which register an index of [`Vector`] names.
 
 mod memory;
