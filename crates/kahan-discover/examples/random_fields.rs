@@ -32,7 +32,7 @@ struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 2000)]
     fields: u64,
 
-    /// The most seconds of the search for each field.
+    /// The time limit for the search in each field, in seconds.
     #[arg(long, value_name = "S", default_value_t = 0.3)]
     seconds: f64,
 
@@ -89,15 +89,14 @@ enum Proved {
     ModuloPrimes,
 }
 
-/// Proves a claim by expansion or, beyond the budget, modulo primes. Returns `None` for a false
-/// claim.
+/// Proves a claim by expansion, or modulo primes if the expansion has too many terms. Returns
+/// `None` if the claim is false.
 fn proved_again(before: &str, claim: &str) -> Option<Proved> {
     let block = format!("{before} {claim}");
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // `read` seeds its primes and points with the text, so they differ from those of
-        // `discover`.
+        // The primes and points of `read` depend on the text, so `discover` used other ones.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
 }

@@ -37,8 +37,8 @@ impl<'a> WatchedSearch<'a> {
         }
     }
 
-    /// Reports progress to the watch. [`Watch::look`] is called when a stage begins, and a few
-    /// times a second while items are counted. A watch without a clock is called for each item.
+    /// Reports progress to the watch. [`Watch::look`] is called at the start of a stage, then at
+    /// most a few times a second. If the watch has no clock, each report calls it.
     pub fn show(&self, progress: &Progress<'_>) {
         self.count.set((progress.done, progress.of));
         let begins = *self.stage.borrow() != progress.what;
@@ -59,7 +59,7 @@ impl<'a> WatchedSearch<'a> {
         }
     }
 
-    /// Returns the time, or `None` after the end of the computation or without a clock.
+    /// Returns the clock's time, or `None` without a clock or if the watch ended the computation.
     fn now(&self) -> Option<Duration> {
         if self.is_ended.get() { None } else { self.watch.now() }
     }
@@ -82,8 +82,8 @@ impl<'a> WatchedSearch<'a> {
 
 /// A time limit that remembers whether it stopped a computation.
 ///
-/// Only an unstopped search may state that a structure is absent. The deadline passes at once if
-/// the watch ends the computation. Without a clock, time alone never passes the deadline.
+/// Only a search that was not stopped may state that something does not exist. The deadline also
+/// passes if the watch ends the computation. Without a clock, it passes only then.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a WatchedSearch<'a>>,

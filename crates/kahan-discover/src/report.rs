@@ -26,9 +26,9 @@ pub struct Options {
     pub eps: Option<Rational>,
     /// The names and values of fixed parameters. All other parameters are generic.
     pub parameters: Vec<(String, Rational)>,
-    /// The highest degree of relations, or `None` for a default degree that depends on the number
-    /// of variables. After the default degree, higher degrees follow while integrals may be missing
-    /// and time is left.
+    /// The highest degree of relations. With `None`, the search begins with a default degree that
+    /// depends on the number of variables. Higher degrees follow while integrals may be missing and
+    /// time is left.
     pub degree: Option<u32>,
     /// The most iterates of the map whose degrees are computed.
     pub iterates: usize,
@@ -55,7 +55,7 @@ impl Default for Options {
 /// The structure of the field.
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
-    /// Whether the field depends on ε. Statements on the flow then hold at any fixed ε.
+    /// Whether the field depends on ε. If so, the flow is that of the field at any fixed ε.
     pub depends_on_eps: bool,
     /// The divergence div f.
     pub divergence: String,
@@ -69,7 +69,7 @@ pub struct StructureReport {
     pub flow_degree: u32,
     /// The number of flow integrals that the map preserves unchanged.
     pub kept: usize,
-    /// The matrices K with f = K∇H in a reduced basis, ordered by the length of the modified
+    /// The matrices K with f = K∇H that were found, ordered by the length of the modified
     /// Hamiltonian.
     pub hamiltonians: Vec<HamiltonianReport>,
 }
@@ -77,7 +77,7 @@ pub struct StructureReport {
 /// The result of a search for densities 1/P in which no density was proved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DensitySearch {
-    /// The degree of a polynomial P for which 1/P was observed to be a density modulo a prime.
+    /// The degree of a polynomial P for which 1/P seems to be a density modulo a prime.
     pub seen: Option<u32>,
     /// The degree up to which there is no density 1/P, as observed at random points modulo a prime.
     pub none_up_to: Option<u32>,
@@ -109,7 +109,7 @@ impl HamiltonianReport {
         self.found.compact(&self.symbols, notation)
     }
 
-    /// Returns a letter with the number of this K, or the letter alone if K is the only matrix.
+    /// Returns `letter` followed by the number of this K, or `letter` alone if there is only one K.
     #[must_use]
     pub fn label(&self, letter: &str) -> String {
         self.number.map_or_else(|| letter.to_owned(), |number| format!("{letter}{number}"))
@@ -164,8 +164,8 @@ impl Bound {
         }
     }
 
-    /// Returns the reason why only the `known` integrals exist. The drifts allow at most
-    /// `by_drifts` integrals.
+    /// Returns the reason why no more than `known` integrals can exist, if there is one. The drifts
+    /// allow at most `by_drifts` integrals.
     pub(crate) fn complete(
         hilbert: &Hilbert,
         n: usize,
@@ -205,8 +205,8 @@ pub struct Report {
     pub degrees: Vec<usize>,
     /// The growth of the degrees of the iterates.
     pub growth: GrowthVerdict,
-    /// The number of iterates with linear growth of degrees in the plane, if linear growth excludes
-    /// integrals.
+    /// The number of iterates of a planar map over which degrees grow linearly, if this growth and
+    /// a drift exclude integrals.
     pub linear_iterates: Option<usize>,
     /// The Hilbert function of a generic orbit, or `None` if every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,

@@ -22,8 +22,8 @@ pub trait Watch: Sync {
     /// Receives the progress. The answer `Break` ends the computation as if its time limit had
     /// passed, and the watch is not called again.
     ///
-    /// `look` is called at the start of each stage and after each finding. While items are counted,
-    /// a watch with a clock is called at most a few times a second.
+    /// `look` is called at the start of each stage and after each finding. During a stage that
+    /// counts items, a watch with a clock is called at most a few times a second.
     fn look(&self, _progress: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

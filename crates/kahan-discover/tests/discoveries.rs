@@ -91,7 +91,7 @@ fn what_the_map_keeps_of_the_flow_stands_as_it_is() {
     check_lines(text, &report);
 }
 
-/// At ε = 0 formulas must be integrals of the flow, and no terms may cancel for small ε.
+/// Each formula must have an integral of the flow as its limit for ε → 0, with the denominator 1.
 #[test]
 fn formulas_have_a_limit_at_small_steps() {
     let text = "q1dot = p1; q2dot = p2; p1dot = -q1^2 - q2^2 - w*q1; p2dot = -2*q1*q2 - w*q2;";
@@ -412,8 +412,8 @@ fn ten_parameters_have_formulas_of_one_line() {
     );
 }
 
-/// The field is a linear factor times the field of a quadratic Hamiltonian. One element P + cQ does
-/// not contain ε, and one is a product of two lines.
+/// The field is a linear factor times the field of a quadratic Hamiltonian. For its integral P/Q,
+/// one P + cQ does not contain ε, and another one is a product of two linear polynomials.
 #[test]
 fn a_pencil_is_given_by_its_members_that_fall_apart() {
     let linear = "xdot = (p*x + q*y + r)*(b*x + 2*c*y + e); ydot = -(p*x + q*y + r)*(2*a*x + b*y + d);";

@@ -1,11 +1,11 @@
 //! Fields with coefficients that depend on ε, whose maps have an integral. The map of the field at
 //! ε = 0 has no integral.
 //!
-//! At ε = 0 the fields are those of H = x y z² and H = x y² z³ with z = 1 + x + y, divided by z and
-//! by y z². They are inhomogeneous reduced Nahm systems of octahedral and icosahedral symmetry. The
-//! repaired maps contract three lines to points. These points reach points of indeterminacy after
-//! (4, 4, 2) and (6, 3, 2) steps. Source of the method: Schmalian, Suris and Tumarkin, "How one can
-//! repair non-integrable Kahan discretizations. II" (2021).
+//! At ε = 0 the first field is that of H = x y z² divided by z, and the second that of H = x y² z³
+//! divided by y z², with z = 1 + x + y. They are inhomogeneous reduced Nahm systems of octahedral
+//! and icosahedral symmetry. The maps contract three lines, whose images reach points of
+//! indeterminacy after 4, 4, 2 and 6, 3, 2 steps. Source of the method: Schmalian, Suris and
+//! Tumarkin, "How one can repair non-integrable Kahan discretizations. II" (2021).
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Options, Report, Unwatched, discover};
@@ -78,8 +78,8 @@ fn the_repaired_map_of_degree_6_has_its_integral_found() {
     );
 }
 
-/// The eigenvalues λ₁ = 2/(1 + ε²) and λ₂ = 1 of the field have different squares, but the map has
-/// μ₁ = μ₂².
+/// The eigenvalues λ₁ = 2/(1 + ε²) and λ₂ = 1 of the field have different squares, but the
+/// eigenvalues μᵢ = (1 + ελᵢ)/(1 − ελᵢ) of the map satisfy μ₁ = μ₂², because λ₁ depends on ε.
 #[test]
 fn eigenvalues_that_depend_on_eps_are_no_bound() {
     let report = found("xdot = 2*x/(1 + eps^2); ydot = y;", None);

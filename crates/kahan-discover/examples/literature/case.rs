@@ -73,8 +73,8 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Claims of a case may have equal names, so each claim is read alone, after the drifts that
-    // precede it.
+    // Claims of a case may have equal names, so each claim is read in a separate block, together
+    // with the drifts listed before it.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

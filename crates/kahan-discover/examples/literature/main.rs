@@ -24,10 +24,11 @@ const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/literature/ca
 /// proved, and at least as many claims of each kind must be found. `limit` names the reason why a
 /// known fact is out of reach. `comment` is for readers.
 ///
-/// A row shows the number of independent integrals and the number of written ones, the growth of
-/// degrees, the numbers of densities and drifts, the ranks of the brackets, the seconds to the last
-/// finding and in all, and the length of the printed claims divided by that of the shortest known
-/// ones, without spaces and names. The exit status is 1 if a case disagrees.
+/// A row shows the numbers of independent and of printed integrals, the growth of degrees, the
+/// numbers of densities and drifts, and the ranks of the brackets. The seconds until the last
+/// finding and of the whole search follow. The last entry is the length of the printed claims
+/// divided by that of `shortest`, without spaces and names. The exit status is 1 if a case
+/// disagrees.
 #[derive(Parser, Debug)]
 #[command(after_help = "\
 Examples:
@@ -35,11 +36,11 @@ Examples:
   cargo run --release -p kahan-discover --example literature -- --only weierstrass --only e6
   cargo run --release -p kahan-discover --example literature -- --seconds 10 cases.jsonl")]
 struct Arguments {
-    /// The file of cases; by default that of the repository.
+    /// The file of cases. The default is `examples/literature/cases.jsonl` in this crate.
     #[arg(default_value = CASES, hide_default_value = true)]
     file: PathBuf,
 
-    /// The most seconds of the search for each case.
+    /// The time limit for the search in each case, in seconds.
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     seconds: f64,
 
@@ -63,7 +64,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints a table with a row for each case. Returns whether every case agrees or has a known limit.
+/// Prints a row for each case. Returns whether all cases agree with known facts or name a limit.
 fn compared(arguments: &Arguments) -> Result<bool, String> {
     let path = arguments.file.display();
     let text = std::fs::read_to_string(&arguments.file).map_err(|error| format!("{path}: {error}"))?;

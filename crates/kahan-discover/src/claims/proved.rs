@@ -1,7 +1,7 @@
 //! Writes formulas as claims in the language of `kahan!`, and proves them.
 //!
-//! A formula becomes a claim only if the prover accepts the written text, or if the text states
-//! exactly the formula of a theorem. All other formulas are dropped.
+//! A formula becomes a claim only if the prover accepts its text, or if a theorem proves the
+//! formula and the text equals it. All other formulas are dropped.
 
 use std::slice::from_ref;
 
@@ -34,7 +34,7 @@ pub struct Formula {
     pub text: String,
     /// The claim as read from the text.
     pub claim: Claim,
-    /// The greater of the degrees of numerator and denominator in the states.
+    /// The larger of the degrees of numerator and denominator, as polynomials in the states.
     pub degree: u32,
     /// The numerator.
     pub numerator: Polynomial,
@@ -58,7 +58,7 @@ impl Formula {
 pub struct Claims<'a> {
     system: &'a System,
     bare: System,
-    /// The equations of the field, which seed the random points of the proofs.
+    /// The equations of the field. Proofs choose random points from a seed made of these tokens.
     equations: Vec<Token>,
     /// The text of the fixed values, for example ` when a = 1, eps = 1/2`.
     pub(crate) condition: String,
@@ -88,9 +88,9 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// Returns the name of the system's own density if a density found here would replace it.
-    ///
-    /// A `kahan!` block may hold only one density without a `when` clause.
+    /// Returns the name of the system's own density, if a density without a `when` clause would
+    /// have to replace it: a `kahan!` block may hold only one. Claims have this clause if values
+    /// are fixed.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;
@@ -120,7 +120,7 @@ impl<'a> Claims<'a> {
     }
 
     /// Writes the integral numerator/denominator with the name H`index`, and proves it. Returns
-    /// `None` if the proof fails. A long factor is written in powers of one of the polynomials `by`
+    /// `None` if the proof fails. A long factor is written as a polynomial in one element of `by`
     /// if the text becomes shorter.
     #[must_use]
     pub fn integral(

@@ -66,7 +66,7 @@ fn degrees(report: &Report) -> String {
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // Omits a bound that is no better than the bound n − 1 from the search along orbits.
+    // Omits a bound of n or more, or if orbits already show the greatest possible number.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }

@@ -78,10 +78,10 @@ const HIGHEST_PRODUCT: u32 = 12;
 /// The highest sum of the degrees of numerator and denominator in a density that is a quotient.
 const HIGHEST_QUOTIENT: u32 = 16;
 
-/// Finds the invariant measure of least degree over ℚ(parameters, ε), and reports the search.
+/// Finds an invariant density of least degree, and tells which degrees were searched.
 ///
-/// Products of `factors` up to degree 12 are tried first. The density is 1/P otherwise, where the
-/// polynomial P has a degree up to `highest`.
+/// Each degree up to 12 is tried with 1 over a product of `factors`, and each degree up to
+/// `highest` with 1/P for a polynomial P. Quotients of products of `factors` come last.
 pub fn measure(
     searched: &SearchField,
     factors: &[Polynomial],

@@ -39,8 +39,8 @@ pub(crate) fn pfaffian_density(
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
-/// Finds the density of least degree. If none is found and det(I − t f′) is even in t, the density
-/// is 1/det(I − ε f′), where f is the field.
+/// Finds the density of least degree. If none is found and det(I − t f′) is even in t for the field
+/// f (`is_even`), returns 1/det(I − ε f′), which is then a density.
 pub(crate) fn densities(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -70,8 +70,8 @@ pub(crate) fn densities(
     (densities, search)
 }
 
-/// Returns linear factors P of components of the field f for which P divides ∇P·f. The flow and the
-/// map preserve the hyperplane P = 0.
+/// Returns each linear factor P of a component of the field f such that P divides ∇P·f. The flow
+/// and the map preserve the hyperplane P = 0.
 fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     let symbols = &field.symbols;
     let mut found: Vec<Polynomial> = Vec::new();
@@ -91,7 +91,7 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     found
 }
 
-/// Returns det(I − ε f′) of the field f at the fixed ε, without factors that contain no state.
+/// Returns det(I − ε f′) of the field f without factors that lack states. A fixed ε is inserted.
 fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
     let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);

@@ -15,8 +15,8 @@ pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, Ove
     of_matrix(&scaled_matrix(field), budget)
 }
 
-/// Returns ∏q · gᵀ adj(A) f for the covector g, where A = I − ε f′. Component i of the field f has
-/// the denominator qᵢ. Division by [`determinant`] gives gᵀ A⁻¹ f.
+/// Returns q·gᵀ adj(A) f for the field f and the covector g, where A = I − ε f′, and q is the
+/// product of the denominators of all components of f. The quotient by [`determinant`] is gᵀ A⁻¹ f.
 ///
 /// # Errors
 /// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.

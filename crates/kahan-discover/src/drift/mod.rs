@@ -70,8 +70,8 @@ pub enum DriftKind {
     Multiple(Constant),
     /// The next value of the drift F is (aF + b)/(cF + d).
     Image,
-    /// The next value of the drift F is a function of F, integrals and earlier drifts with these
-    /// names.
+    /// The next value of the drift F is a function of F and of the integrals and earlier drifts
+    /// with these names.
     Link(Vec<String>),
 }
 
@@ -150,9 +150,9 @@ pub(crate) fn drifts(
 
 /// Returns an upper bound on the number of independent integrals in n dimensions with these drifts.
 ///
-/// Suppose that a drift F becomes F + c with c ≠ 0, and a drift G becomes c′·G, where c′ is no root
-/// of unity. The powers of (+c, ·c′) are dense in 𝔾ₐ × 𝔾ₘ. So generic orbits have closures of
-/// dimension at least 2. With only one of F and G the dimension is at least 1.
+/// Suppose that in each step a drift F becomes F + c with c ≠ 0, and a drift G becomes c′G, where
+/// c′ is no root of unity. The points (F + kc, c′ᵏG) are Zariski-dense in the plane, so the Zariski
+/// closure of a generic orbit has dimension at least 2. With only F or G it is at least 1.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     let kinds = || drifts.iter().map(|drift| &drift.kind).filter(|kind| kind.has_infinite_order());
     let has_sum = kinds().any(|kind| matches!(kind, DriftKind::Sum(_)));
@@ -162,8 +162,8 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
 
 /// Drops the first invalid drift, and all later drifts, because they may depend on the first.
 ///
-/// A drift is invalid if it is a function of integrals and earlier drifts. A drift whose claim
-/// names an integral of `before` outside of `integrals` is also invalid.
+/// A drift is invalid if it is a function of integrals and earlier drifts, or if its claim names an
+/// integral of the former list `before` that the new list `integrals` lacks.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,
     searched: &SearchField,
@@ -232,7 +232,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs over ℚ the invariant space with this form of the basis, and adds its drifts.
+    /// Adds the drifts of the invariant space over ℚ whose basis has the monomials of `form`.
     fn of_space(
         &mut self,
         monomials: &Monomials,

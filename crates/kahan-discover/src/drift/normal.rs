@@ -1,12 +1,11 @@
-//! Drifts from the Jordan form of a matrix M over ℚ(parameters, ε), for eigenvalues of degree at
-//! most 2. The basis P satisfies P(x̃) = C(x)·M·P(x). Each row vector v gives a polynomial P_v = Σ
-//! vᵢPᵢ with P_v(x̃) = C(x)·P_{vM}(x).
+//! Finds drifts F from polynomials P with P(x̃) = C(x)·M·P(x) for a matrix M. Let P_v = Σ vᵢPᵢ for
+//! a row vector v, then P_v(x̃) = C(x)·P_{vM}(x). The letters λ, μ, a to d lie in ℚ(parameters, ε).
 //!
 //! | v, w | F = P_w/P_v | next value |
 //! |---|---|---|
 //! | vM = λv, wM = λw + v | Jordan's chain | F + 1/λ |
 //! | vM = λv, wM = μw | eigenvectors | (μ/λ)·F |
-//! | wM = aw + bv, vM = cw + dv | invariant plane | (aF + b)/(cF + d) |
+//! | wM = aw + bv, vM = cw + dv | plane of two conjugate eigenvalues | (aF + b)/(cF + d) |
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -81,7 +80,7 @@ pub(super) struct FunctionWithNext {
     pub(super) next: NextValue,
 }
 
-/// Returns all drifts of M = `matrix` in the module's table. `free` must not occur in M.
+/// Returns all drifts of M = `matrix` in the module's table. `free` is any variable not in M.
 pub(super) fn drifts_of(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();

@@ -93,8 +93,8 @@ pub(super) struct InvariantSpace {
 }
 
 impl InvariantSpace {
-    /// Restricts the space to the monomials of `form`. Returns `None` if the reduced basis has
-    /// other leading monomials than `form`.
+    /// Restricts the space to polynomials in the monomials of `form`. Returns `None` if the leading
+    /// monomials of the reduced basis are not those of `form`.
     pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
         let count = pairs.first()?.len() / 2;
         let wide = |pair: &Vec<u64>| {

@@ -1,9 +1,9 @@
 //! First-order recurrences: states whose next value is a function of the state and of earlier
 //! drifts.
 //!
-//! Suppose that a drift or integral F contains a single state xᵢ, and is a Möbius function of xᵢ.
-//! Then xᵢ is a function of F. If the next value of another state w contains only w and such known
-//! states, then w is a drift. The product of w with a power of an earlier drift may be shorter.
+//! If a drift or integral F is a Möbius function of a single state xᵢ, then xᵢ is a function of F.
+//! If the next value of another state w contains only w and states known in this way, then w is a
+//! drift. The product of w with a power of an earlier drift may have a shorter text.
 
 use std::slice::from_ref;
 
@@ -30,7 +30,7 @@ pub(super) struct TriangularSystem {
     components: Vec<Polynomial>,
     /// The expression of each state in drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// For each drift: its variable, its expression in states, and its next value in drifts.
+    /// For each drift F: its variable, F in terms of states, and its next value in terms of drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 
@@ -146,7 +146,7 @@ impl TriangularSystem {
         self.steps.push([drift, in_states, next]);
     }
 
-    /// Returns the shortest drift of the first state that yields a drift.
+    /// Returns the drift with the shortest text among those from the first state that yields any.
     pub(super) fn link(&self, name: &str) -> Option<DriftCandidate> {
         if self.steps.is_empty() {
             return None;

@@ -16,10 +16,10 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::primitive_in_states;
 
-/// Known integrals are accepted at the latest when a search has more unknowns than this.
+/// Integrals known before a search are accepted once it has more unknowns than this.
 const MOST_AHEAD: usize = 150;
 
-/// Integrals P/Q of at most this length are not simplified.
+/// An integral P/Q is not simplified if P and Q have at most this many characters together.
 const SHORT_INTEGRAL: usize = 60;
 
 pub(crate) struct AcceptedIntegrals<'a> {
@@ -52,7 +52,7 @@ impl AcceptedIntegrals<'_> {
         }
     }
 
-    /// Accepts known integrals once the search reaches their degree or becomes expensive.
+    /// Accepts the integrals `known` up to this degree, or all if a search of it is expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
@@ -95,8 +95,8 @@ impl AcceptedIntegrals<'_> {
         }
     }
 
-    /// Returns P/Q if it is short. Otherwise returns the shortest quotient of two elements P + cQ,
-    /// if this quotient depends on the states at ε = 0.
+    /// Returns P/Q if its text is short. Otherwise returns the shortest quotient that depends on
+    /// the states at ε = 0, formed from two of P, Q and the special elements P + cQ.
     fn shortest(
         &self,
         (numerator, denominator): &(Polynomial, Polynomial),
@@ -113,7 +113,7 @@ impl AcceptedIntegrals<'_> {
         if special.is_empty() {
             return own;
         }
-        // If the denominator contains no state at ε = 0, the limit of the quotient is a polynomial.
+        // A flat denominator has no state at ε = 0, so the quotient becomes a polynomial there.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
@@ -139,9 +139,9 @@ impl AcceptedIntegrals<'_> {
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of the accepted integrals in the coordinates of a level set. Returns
-    /// none if the level set is not the whole space, as the integrals that define it are constant
-    /// there.
+    /// Returns the gradients of the accepted integrals in the coordinates of a level set. The list
+    /// is empty if the level set is not the whole space, because the integrals that define the
+    /// level set are constant on it.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

@@ -1,7 +1,7 @@
-//! Finds the integrals that compositions of the map φ preserve.
+//! Finds the integrals that compositions of the map φ_ε at different ε preserve.
 //!
-//! The integrals are tested on φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂. Compositions of
-//! higher order have this symmetric pattern.
+//! The integrals are tested on φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂, the symmetric
+//! pattern of composition methods of higher order.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -21,7 +21,7 @@ pub struct CompositionIntegrals {
     pub hilbert: Hilbert,
     /// For each given formula, whether the composed map preserves it.
     pub formulas: Vec<bool>,
-    /// Pairs of formulas of which the composed map preserves only the quotient.
+    /// Pairs of formulas for which the composed map preserves the quotient, but neither formula.
     pub quotients: Vec<(usize, usize)>,
 }
 
@@ -44,8 +44,8 @@ impl ModularStep for ComposedMap {
     }
 }
 
-/// Returns the integrals of the composition of a map at different ε, modulo a prime. The formulas
-/// use the ε of the whole composition.
+/// Returns the integrals of φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} modulo a prime, for the map φ_ε and random
+/// γ₁, γ₂. The formulas contain this ε.
 ///
 /// Returns `None` if the map is undefined or the deadline passes.
 pub fn survivors(

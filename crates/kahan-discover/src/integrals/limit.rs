@@ -10,7 +10,7 @@ use crate::modular::subspace::primitive_in_states;
 const LIMIT_WORK: u64 = 2_000_000;
 
 /// Returns a polynomial P′ such that P′/Q depends on the states at ε = 0. While P/Q has a limit c
-/// without states, P is replaced by P − cQ, divided by all powers of ε.
+/// without states, P − cQ replaces P, after division by all its factors without states.
 pub(crate) fn with_a_limit(
     symbols: &Symbols,
     mut numerator: Polynomial,

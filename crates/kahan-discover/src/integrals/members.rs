@@ -1,11 +1,11 @@
 //! Finds special elements P + cQ for an integral P/Q: elements that factor, have lower degree, or
 //! do not contain ε.
 //!
-//! Let F(s, t) be a polynomial of degree d. Consider polynomials G, H of degree d − 1 with
-//! ∂(G/F)/∂t = ∂(H/F)/∂s, other than multiples of ∇F. Solutions exist if and only if F factors over
-//! ℂ or has a square factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003).
-//! For F = P + cQ on a random plane the equation is linear in c. The wanted c are therefore roots
-//! of a polynomial modulo a prime. The caller must prove the results.
+//! Let F(s, t) be a polynomial of degree d. The equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions (G, H)
+//! of degree below d, besides multiples of ∇F, if and only if F factors over ℂ or has a square
+//! factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003). For F = P + cQ on
+//! a random plane the equation is linear in c, so the wanted c are roots of a polynomial modulo a
+//! prime. The caller must prove the results.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -27,7 +27,7 @@ const MOST_WORK: u64 = 100_000_000;
 
 const WORK_OF_LOOK: u64 = 50_000;
 
-/// The number of samples at which the elements P + cQ that factor or have lower degree are counted.
+/// The number of random parameters and ε at which special elements P + cQ are counted.
 const PARAMETER_SAMPLES: usize = 4;
 
 /// Finds elements P + cQ that factor, have lower degree or do not contain ε, where c is a rational
@@ -67,7 +67,7 @@ pub(crate) fn special_members(
     members(searched, &monomials, pair)
 }
 
-/// Finds the elements of [`special_members`], where `pair` returns P and Q at given unknowns.
+/// Finds the elements of [`special_members`]. `pair` returns P and Q at given parameters and ε.
 pub(crate) fn members(
     searched: &SearchField,
     monomials: &Monomials,
@@ -154,7 +154,7 @@ fn common_element(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]
     Some((0..here[0].len()).map(own).collect())
 }
 
-/// Properties of a special element F that are equal at all parameters.
+/// Properties of a special element F that do not depend on the parameters and ε.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct MemberProperties {
     multiplicity: usize,
@@ -184,8 +184,8 @@ fn special_elements(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // For one c the polynomial F = P + cQ lacks the highest power of s, and has the solution ∇F
-    // even if it does not factor. So this root is removed once.
+    // For one c the polynomial F = P + cQ lacks the highest power of s. There ∇F is a solution (G,
+    // H) of the equations even if F does not factor, so this root is removed once.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;
@@ -278,8 +278,8 @@ impl<'a> Plane<'a> {
     }
 }
 
-/// Returns the polynomial whose roots are the c for which the equations with the matrix p + cq have
-/// solutions. Coefficients are residues, with the constant term first.
+/// Returns the polynomial whose roots are the c for which the linear system with the matrix p + cq
+/// has a nonzero solution. Its coefficients are residues, with the constant term first.
 fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
     let columns = p.len();
     let mut determinants = Vec::new();

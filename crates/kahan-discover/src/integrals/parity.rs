@@ -1,15 +1,15 @@
 //! Finds the sign changes of states that map orbits to orbits.
 //!
 //! Let f(Sx) = ±S f(x) with S = diag(±1). Then the map φ satisfies φ(Sx) = Sφ(x) at ε or −ε, and S
-//! maps the closure of an orbit to the closure of another orbit. A coefficient of a reduced
-//! relation changes by the sign of its own monomial times the sign of the leading monomial. If the
+//! maps the closure of an orbit to the closure of another orbit. S multiplies the coefficient of a
+//! monomial m in a reduced relation by the sign of m times the sign of the leading monomial. If the
 //! coefficient equals P/Q, P and Q need monomials of only one sign each.
 
 /// The most generators of sign changes that are returned.
 const MAX_GENERATORS: usize = 8;
 
-/// The sign condition of a term xⱼxₖ, xⱼ or 1 of component i, as a bit set: the sum over F₂ of the
-/// unit vectors of i, j and k.
+/// A term xⱼxₖ of component i, as a bit set: the sum over F₂ of the unit vectors of the states i, j
+/// and k. A term xⱼ lacks k, and a constant term lacks j and k.
 pub type TermSigns = u64;
 
 /// Returns generators of the sign changes of states, each as a bit set. `terms` holds all terms of

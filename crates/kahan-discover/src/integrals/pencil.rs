@@ -29,8 +29,8 @@ pub struct Pencil {
 pub(crate) enum Source {
     /// The span of the relations on several orbits.
     Span,
-    /// The numerators and denominators of coefficients of relations. The coefficients are
-    /// integrals.
+    /// The numerators P and denominators Q of those coefficients of relations on orbits that equal
+    /// integrals P/Q.
     Entries { relation_degree: u32, entries: Vec<PencilEntry> },
 }
 
@@ -46,8 +46,8 @@ pub(crate) struct PencilEntry {
 }
 
 impl PencilEntry {
-    /// Finds the quotient P/Q that equals this coefficient at the starts of all orbits. Returns
-    /// `None` unless the solution is unique.
+    /// Finds the quotient P/Q that equals this coefficient of each orbit's relation at the start of
+    /// the orbit. Returns `None` unless exactly one quotient does.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,
@@ -74,8 +74,8 @@ impl PencilEntry {
 }
 
 impl Pencil {
-    /// Returns the space at the parameters and ε of `map`. Returns `None` if the basis has another
-    /// form for this map, the map is undefined, or the deadline passes.
+    /// Returns the space at the parameters and ε of `map`. Returns `None` if its basis has other
+    /// leading monomials than `self.space`, the map is undefined, or the deadline passes.
     pub fn at(
         &self,
         map: &impl ModularStep,
@@ -110,7 +110,7 @@ impl Pencil {
         PolynomialSpace::of_form(&modulus, form, vectors)
     }
 
-    /// Returns the span of the relations of two orbits on the pencil's monomials.
+    /// Returns the span of all relations between the pencil's monomials on two orbits.
     fn span_at(
         &self,
         map: &impl ModularStep,

@@ -33,10 +33,10 @@ pub struct SearchGoals<'a> {
     pub proved: &'a [Formula],
     /// Polynomial integrals of the flow that the map preserves.
     pub kept: &'a [Polynomial],
-    /// Integrals P/Q that are accepted once the search has passed their degree. The rest is
-    /// accepted at the end of the search, unless this deadline has passed.
+    /// Integrals P/Q that are accepted once the search has passed their degree, and a deadline. The
+    /// others are accepted at the end of the search, unless this deadline has passed.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
-    /// The number and degrees of integrals that orbits show, or `None` to prevent a search.
+    /// The number and degrees of integrals as seen on orbits. With `None`, nothing is searched.
     pub hilbert: Option<&'a Hilbert>,
     /// Known integrals P/Q, accepted unless the search finds others of lower degree.
     pub known: &'a [(Polynomial, Polynomial)],
@@ -47,7 +47,7 @@ pub struct SearchGoals<'a> {
 }
 
 /// Finds and proves independent integrals over ℚ(parameters, ε), of least degree first. The search
-/// ends at the number of integrals that orbits show, or at the deadline.
+/// ends when it has found as many integrals as orbits show, or at the deadline.
 pub fn integrals(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -75,7 +75,7 @@ pub fn integrals(
     }
     let (further, end) = aims.further;
     if !further.is_empty() && !end.passed() {
-        // Known integrals may exceed the number of integrals that orbits show.
+        // More integrals may be known than orbits show, so their number is not limited here.
         collector.wanted = usize::MAX;
         collector.offer_further(u32::MAX);
     }
@@ -207,8 +207,8 @@ impl AcceptedIntegrals<'_> {
         (members.len() > 1).then_some(members)
     }
 
-    /// Divides every basis element by the simplest element that does not vanish on the level set,
-    /// and accepts the quotients as integrals.
+    /// Accepts as integrals the quotients of all elements of `basis` by one of them: the simplest
+    /// one for which a quotient is accepted.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();

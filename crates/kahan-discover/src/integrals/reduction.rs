@@ -33,8 +33,8 @@ pub(crate) fn reduced(
     (numerator, denominator)
 }
 
-/// Subtracts a multiple of a product of `factors` from a multiple of the numerator, so that a
-/// factor q of the denominator divides the difference. Returns both sides divided by q.
+/// Forms a combination αP − βM of the numerator P and a product M of `factors`, so that a factor q
+/// of the denominator divides it. Returns the combination and the denominator, both divided by q.
 fn without_factor(
     searched: &SearchField,
     step: &SampledStep,
@@ -95,8 +95,8 @@ fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
     common.scale(&polynomial.content().checked_div(&common.content()).unwrap_or_else(Rational::one))
 }
 
-/// Returns the products of `factors` with the cofactor P(x̃)/P(x) of the denominator P, and at most
-/// the degree of the numerator.
+/// Returns the products M of `factors` with M(x̃)/M(x) = P(x̃)/P(x), where P is the denominator.
+/// The degree of M is at most that of the numerator.
 fn products(
     searched: &SearchField,
     step: &SampledStep,

@@ -15,7 +15,7 @@ use crate::modular::subspace::PolynomialSpace;
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
-/// Searches coefficients of relations that are quotients P/Q of polynomials of this degree.
+/// Searches for coefficients of relations that equal quotients P/Q of polynomials of this degree.
 pub(crate) fn entries_of_degree<M: ModularStep>(
     search: &mut Search<'_, M>,
     relation_degree: u32,
@@ -55,7 +55,7 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
     if width > reach.coefficients || !is_new {
         return;
     }
-    // Only relations that are used are stored, as all relations of all orbits may exceed the
+    // Stores only the relations that are used, because all relations of all orbits may not fit in
     // memory.
     let keep_looked_at = |relations: &mut Relations| {
         relations.vectors.retain(|vector| places.iter().any(|&(leading, _)| leading == vector.free));
@@ -92,8 +92,8 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
     }
 }
 
-/// Returns the positions of coefficients that vary with the orbit. The leading monomials of their
-/// relations are divisible by no other leading monomial.
+/// Returns pairs (leading monomial, monomial) for the coefficients that differ between two orbits.
+/// Only relations are used whose leading monomial is divisible by no other leading monomial.
 fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usize)> {
     let [first, second, ..] = orbits else { return Vec::new() };
     let divides = |a: usize, b: usize| {

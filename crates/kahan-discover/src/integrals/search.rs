@@ -2,8 +2,8 @@
 //!
 //! Let U be a space of polynomials whose quotients are integrals. An element of U vanishes on an
 //! orbit if it vanishes at the orbit's start, so the relations of one orbit have codimension 1 in
-//! U. Conversely, suppose that the relations of all orbits span one dimension more than the
-//! relations of one orbit. Then all quotients in this span are integrals.
+//! U. Conversely, let V be the span of the relations of all orbits. If the relations of one orbit
+//! have codimension 1 in V, then all quotients in V are integrals.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -23,7 +23,7 @@ use crate::orbits::relations::{gradient, monomial_gradients};
 pub struct FormulaLimits {
     /// The most unknown coefficients of numerator and denominator together.
     pub coefficients: usize,
-    /// The most monomials in the shortest polynomial of a [`Pencil`].
+    /// The most monomials in the shortest polynomial of a [`Pencil`]'s basis.
     pub terms: usize,
     /// The most orders of the variables to try for relations with many monomials.
     pub orders: usize,
@@ -33,7 +33,7 @@ impl FormulaLimits {
     /// The largest limits on formulas.
     pub const FULL: Self = FormulaLimits { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
 
-    /// The limits for readable formulas, used if bases or compact forms already give all integrals.
+    /// The limits if Hirota–Kimura bases or compact forms already give all integrals.
     pub const SHORT: Self = FormulaLimits { coefficients: 300, terms: 60, orders: 2 };
 }
 
@@ -61,9 +61,9 @@ pub fn spanned_pencils<M: ModularStep>(
 
 /// Finds [`Pencil`]s of exactly this degree in which coefficients of relations are quotients P/Q.
 ///
-/// The integrals are independent of known functions, whose gradients at a point `known` returns.
-/// The list is empty if the deadline passes. For P and Q with N monomials each, the search needs 2N
-/// orbits, and (2N)³ multiplications for each coefficient of a relation.
+/// `known` returns the gradients at a point of functions of which the integrals must be
+/// independent. The list is empty if the deadline passes. For P and Q with N monomials each, the
+/// search needs 2N orbits, and (2N)³ multiplications for each coefficient of a relation.
 pub fn pencils_of_entries<M: ModularStep>(
     map: &M,
     relation_degree: u32,

@@ -2,9 +2,9 @@
 //!
 //! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace with fewer
 //! variables. The varying coefficients c₁, c₂, … of these relations are integrals, and become
-//! unknowns. The relations of an orbit in the coordinates of a level set do not include multiples
-//! of the linear relations. A formula on a level set holds everywhere once each cⱼ is replaced by
-//! its own formula.
+//! unknowns. In the coordinates of a level set the linear relations and their multiples vanish
+//! identically, so fewer relations remain. A formula on a level set holds everywhere once each cⱼ
+//! is replaced by its own formula.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -23,8 +23,8 @@ use crate::modular::subspace::combination;
 use crate::modular::weights::Weights;
 use crate::orbits::hilbert::random_relations;
 
-/// An affine level set: the states that are its coordinates, and the coefficients that vary between
-/// level sets in the linear relations that define it.
+/// An affine level set: the states that serve as coordinates, and the coefficients of its linear
+/// relations that differ between level sets.
 #[derive(Clone, Debug)]
 pub struct AffineSubspace {
     /// For each varying coefficient: the index of the leading monomial of its relation, and the
@@ -71,8 +71,8 @@ impl AffineSubspace {
         AffineSubspace { places: Vec::new(), order }
     }
 
-    /// Returns the affine level sets of a map. The result is the whole space if no linear relations
-    /// exist, or if the coefficients are dependent.
+    /// Returns the affine level sets of a map. Returns the whole space if orbits satisfy no linear
+    /// relation, or if the varying coefficients of these relations depend on each other.
     pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
         let n = map.dimension();
         let whole = AffineSubspace::whole((0..n).collect());
@@ -97,8 +97,7 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // The coefficients are independent if an orbit exists whose relations have random
-        // coefficients.
+        // The coefficients are independent functions if random values of them occur on some orbit.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));
@@ -123,7 +122,7 @@ impl AffineSubspace {
         self.places.len()
     }
 
-    /// Returns this subspace with all cyclic orders of its coordinates, also reversed.
+    /// Returns this subspace with its coordinates in each cyclic order, forward and backward.
     pub fn orders(&self) -> impl Iterator<Item = AffineSubspace> {
         let count = self.order.len();
         let rotated = move |shift: usize| (0..count).map(move |i| self.order[(i + shift) % count]);
@@ -139,8 +138,8 @@ impl AffineSubspace {
         &self.order
     }
 
-    /// Returns the map on the level set with these coefficients. Returns `None` if the coordinates
-    /// do not determine the other states there.
+    /// Returns the map on the level set whose varying coefficients have the values `entries`.
+    /// Returns `None` if the coordinates do not determine the other states.
     pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<MapOnSubspace> {
         let modulus = *map.modulus();
         let n = map.dimension();

@@ -15,8 +15,8 @@ const SUBSTITUTION_WORK: u64 = 20_000_000;
 pub struct Chart {
     /// The level set.
     pub leaf: AffineSubspace,
-    /// The formulas of the constants in their order. If the level set also lies on a level set of a
-    /// further integral, the formula of this integral comes last.
+    /// The formulas of the constants, in order. If one more integral is constant on the level set,
+    /// its formula comes last.
     pub coordinates: Vec<Coordinate>,
 }
 
@@ -38,8 +38,8 @@ impl Chart {
         names
     }
 
-    /// Returns P/Q in lowest terms with the formulas in place of the constants. Returns `None`
-    /// beyond the budget, and for Q = 0.
+    /// Returns P/Q in lowest terms with the formulas in place of the constants. Returns `None` if Q
+    /// becomes 0, or if the computation has too many terms or takes too much work.
     #[must_use]
     pub fn substituted(
         &self,

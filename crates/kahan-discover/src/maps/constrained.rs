@@ -19,7 +19,7 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 
-/// The polynomial P − cQ. The coefficient of each monomial is a polynomial in the unknowns.
+/// The constraint P − cQ = 0 for an integral P/Q: the monomials and their coefficients.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     monomials: Monomials,
@@ -38,8 +38,8 @@ pub struct ConstrainedMap<'a> {
 }
 
 impl Constraint {
-    /// Prepares the integral P/Q, given the monomials and their coefficients in P and Q. Returns
-    /// `None` if P and Q have degree 1 in no coordinate.
+    /// Prepares the constraint P − cQ = 0, given monomials and their coefficients in P and Q.
+    /// Returns `None` if no coordinate has degree 1 in the constraint.
     #[must_use]
     pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
         let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());
@@ -107,8 +107,8 @@ impl ModularStep for ConstrainedMap<'_> {
 }
 
 impl AcceptedIntegrals<'_> {
-    /// Searches further integrals on the level sets of the quotient of the first two basis
-    /// elements.
+    /// Searches for further integrals on the level sets of P/Q, where P and Q are the first two
+    /// elements of `basis`.
     pub(crate) fn search_constrained(
         &mut self,
         basis: &[Polynomial],

@@ -111,7 +111,7 @@ impl ModularMap {
     #[must_use]
     pub fn field(&self, point: &[u64]) -> (Vec<u64>, Vec<Vec<u64>>) {
         let n = self.dimension;
-        // At ε = −1 the matrix I − ε f′ is I + f′.
+        // At ε = −1 the matrix I − ε f′ is I + f′. Subtraction of I gives f′.
         let matrix = self.extended_matrix(point, self.modulus.opposite(self.modulus.one()));
         let mut values = Vec::with_capacity(n);
         let mut slopes = Vec::with_capacity(n);

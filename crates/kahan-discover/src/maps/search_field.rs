@@ -1,5 +1,5 @@
-//! Fields with fixed or generic ε, and their maps at random values of the unknowns: the parameters,
-//! and a generic ε.
+//! Fields, and their maps at random values of the unknowns. The unknowns are the parameters, and ε
+//! unless it is fixed.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -120,8 +120,8 @@ impl SearchField {
         parameters.chain(self.eps.is_none().then(|| symbols.epsilon())).collect()
     }
 
-    /// Returns the map at these values of the unknowns. Returns `None` if a divisor or the
-    /// denominator of ε is 0 modulo the prime.
+    /// Returns the map at these values of the unknowns. Returns `None` if a denominator of the
+    /// field, or the denominator of a fixed ε, is 0 modulo the prime.
     #[must_use]
     pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
         let (parameters, eps) = match &self.eps {
@@ -134,8 +134,8 @@ impl SearchField {
         self.family.at(modulus, parameters, eps)
     }
 
-    /// Samples a map at random unknowns for which a random point has an image. Returns `None` after
-    /// 16 failures.
+    /// Chooses random values of the unknowns until the map sends a random point to an image.
+    /// Returns `None` after 16 failures.
     pub fn sample(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Sample> {
         (0..MOST_SAMPLES).find_map(|_| {
             let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();

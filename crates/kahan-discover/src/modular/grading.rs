@@ -1,7 +1,7 @@
 //! Rational reconstruction that uses scaling symmetries of the map.
 //!
-//! Unknowns with independent weights are set to 1. The weight of each term then determines the
-//! powers of these unknowns.
+//! Each unknown has a weight, with one number for each symmetry. Unknowns with linearly independent
+//! weights are set to 1. The weight of a term then determines their powers in the term.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -23,7 +23,7 @@ pub struct Grading {
 }
 
 impl Grading {
-    /// Returns unknowns that can be scaled to 1 together, the last unknowns first.
+    /// Returns unknowns with independent weights, which can be scaled to 1. Prefers the last ones.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {

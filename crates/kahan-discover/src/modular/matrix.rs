@@ -112,8 +112,8 @@ fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec
     row.reduced(modulus)
 }
 
-/// Clears the pivot columns of later rows in each row (back substitution). Only columns without a
-/// pivot are computed.
+/// Subtracts multiples of later rows from each row, so that their pivot columns become 0 in this
+/// row (back substitution). Only columns without a pivot are computed.
 fn back_substituted(
     modulus: &Modulus,
     pivots: &[usize],

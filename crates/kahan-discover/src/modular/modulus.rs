@@ -130,7 +130,7 @@ impl Modulus {
     /// Returns 1/a, or `None` for a = 0.
     #[must_use]
     pub fn inverse(&self, a: u64) -> Option<u64> {
-        // The stored number is a·2⁶⁴, so its inverse must be multiplied by 2¹²⁸.
+        // The stored number is a·2⁶⁴. Its inverse times 2¹²⁸ is a⁻¹·2⁶⁴, the stored number for 1/a.
         let inverse = self.plain.inverse(a)?;
         Some(self.times(self.times(inverse, self.square), self.square))
     }

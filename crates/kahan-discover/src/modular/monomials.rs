@@ -28,8 +28,8 @@ impl Monomials {
             for variable in (0..variables).rev() {
                 let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
                 for earlier in begin..end {
-                    // A monomial is made only by multiplication with its first variable, and so
-                    // only once.
+                    // Multiplies only by variables up to the first one in the monomial, so that
+                    // each monomial occurs once.
                     if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
                         let mut exponents = monomials.exponents[earlier].clone();
                         exponents[variable] += 1;

@@ -1,10 +1,10 @@
 //! Reconstructs rational functions over ℚ from values modulo primes.
 //!
-//! An [`Oracle`] returns values of functions at values of the unknowns (parameters and ε). The
-//! degrees determine an ansatz N/D for each function, whose coefficients are a null vector. The
-//! Chinese remainder theorem turns coefficients modulo several primes into rational numbers. The
-//! result must agree with the oracle at a random point modulo an unused prime. Agreement is
-//! evidence but no proof.
+//! An [`Oracle`] returns values of functions f at values of the unknowns (parameters and ε). The
+//! degrees of f determine an ansatz N/D, whose coefficients solve the linear equations N = fD at
+//! sampled points. The Chinese remainder theorem turns coefficients modulo several primes into
+//! rational numbers. The result must agree with the oracle at a random point modulo an unused
+//! prime. Agreement is evidence but no proof.
 
 use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;
@@ -21,12 +21,12 @@ use crate::modular::thiele::{SPARE_POINTS, degree};
 /// are undefined.
 pub type Oracle<'a> = dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>> + 'a;
 
-/// The most points on a line, which suffice for degrees up to about twenty.
+/// The most points on a line in the space of unknowns, enough for degrees up to about twenty.
 const MOST_ON_LINE: usize = 48;
 
 const MOST_PRIMES: usize = 24;
 
-/// The most digits of a numerator or denominator that can be reconstructed.
+/// The most decimal digits of a numerator or denominator: half of all bits, times log₁₀ 2.
 pub(crate) const MOST_DIGITS: usize = MOST_PRIMES * 60 * 301 / 2000;
 
 const MOST_SAMPLES: usize = 8;
@@ -34,8 +34,8 @@ const MOST_SAMPLES: usize = 8;
 /// Reconstructs the oracle's functions over ℚ. The unknown with index k becomes `variables[k]`.
 ///
 /// Returns `None` if degrees or coefficients are too large, the deadline passes, or the functions
-/// are not rational. If the functions have m coefficients, each prime needs m + 4 calls of the
-/// oracle and m³ multiplications for each function.
+/// are not rational. If each function has at most m coefficients, each prime needs m + 4 calls of
+/// the oracle, and m³ multiplications for each function.
 pub fn reconstruct(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],

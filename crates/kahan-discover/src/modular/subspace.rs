@@ -41,8 +41,8 @@ pub struct PolynomialSpace {
 }
 
 impl PolynomialSpace {
-    /// Returns the span of vectors on all monomials. The reduced basis begins with low or with high
-    /// monomials, whichever yields fewer terms.
+    /// Returns the span of vectors with an entry for each monomial. The reduced basis orders
+    /// monomials from low to high or from high to low, whichever gives fewer terms.
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
@@ -113,7 +113,7 @@ pub struct FormulaVariables {
 }
 
 impl FormulaVariables {
-    /// Returns the variables of formulas in all states of a map.
+    /// Returns the variables for formulas that may contain every state of the map.
     #[must_use]
     pub fn of(searched: &SearchField) -> Self {
         let symbols = searched.family().symbols();
@@ -150,8 +150,8 @@ impl FormulaVariables {
 }
 
 /// Reconstructs the basis of a space over ℚ, as polynomials with coprime integer coefficients. The
-/// function `at` returns the space at values of the unknowns. Returns `None` if a space has another
-/// `form`, or if [`reconstruct`] fails.
+/// function `at` returns the space at values of the unknowns. Returns `None` if the monomials of
+/// this space are not those of `form`, or if [`reconstruct`] fails.
 pub fn reconstruct_space(
     names: &FormulaVariables,
     monomials: &Monomials,
@@ -198,8 +198,8 @@ pub(crate) fn combination(
     })
 }
 
-/// Divides a polynomial by all factors that contain no state. The first printed term becomes
-/// positive.
+/// Divides a polynomial by all factors that contain no state, and chooses the sign for which the
+/// first printed term is positive.
 #[must_use]
 pub fn primitive_in_states(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
     let primitive = symbols.primitive_part(polynomial);

@@ -1,7 +1,7 @@
-//! Scaling symmetries, which reduce the number of unknowns to interpolate.
+//! Scaling symmetries, which reduce the number of unknowns in a reconstruction.
 //!
-//! A choice of weights for states, parameters and ε is valid if all terms of ε ẋᵢ have the weight
-//! of xᵢ. Coefficients of invariants are then homogeneous. The valid choices form a vector space.
+//! States, parameters and ε get weights, so that all terms of ε ẋᵢ have the weight of xᵢ. Then the
+//! coefficients of invariants are homogeneous. All valid choices of weights form a vector space.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Monomial, Variable};

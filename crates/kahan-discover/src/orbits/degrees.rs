@@ -1,9 +1,9 @@
 //! Degrees of the iterates of the map, as a projective map without common factors.
 //!
-//! Iterate n is evaluated along a random line, with a random Möbius parameter so that no point is
-//! special. A random combination of the iterate's components is a rational function of the
-//! parameter with the degree of the iterate. Common factors cancel in values, and no polynomial is
-//! formed.
+//! Iterate n is evaluated on a random line, at points given by a random Möbius function of t, so
+//! that t = 0 and t = ∞ are not special. A random combination of the iterate's components is a
+//! rational function of t with the degree of the iterate. Common factors cancel in values, and no
+//! polynomial is formed.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -47,7 +47,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
                 if limits.deadline.has_stopped() {
                     break None;
                 }
-                // Too few points of the line have an image under this iterate, so the list ends.
+                // Too few points have an image. The list ends, and is empty without an iterate.
                 return if known == 1 { Vec::new() } else { degrees };
             }
             let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();
@@ -97,8 +97,8 @@ impl<'a> RandomLine<'a> {
         }
     }
 
-    /// Maps samples on the line `steps` times until at least `count` samples have no pole. Returns
-    /// `false` if points keep ending at poles or the deadline passes.
+    /// Maps samples on the line `steps` times, until at least `count` of them have met no pole.
+    /// Returns `false` after 16 samples that meet poles, or if the deadline passes.
     fn prepare(
         &mut self,
         count: usize,

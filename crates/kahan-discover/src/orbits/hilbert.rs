@@ -17,8 +17,8 @@ pub struct Hilbert {
     pub values: Vec<usize>,
     /// The numbers of all monomials of degree ≤ 1, ≤ 2, …, which bound h.
     pub full: Vec<usize>,
-    /// The number of independent algebraic integrals visible up to this degree: the codimension
-    /// that the relations give to the Zariski closure of the orbit.
+    /// The number of independent algebraic integrals visible up to this degree: the codimension of
+    /// the variety that the relations define.
     pub integrals: usize,
     /// The least degree of a relation, if one was observed.
     pub relation_degree: Option<u32>,
@@ -26,13 +26,13 @@ pub struct Hilbert {
     pub points: usize,
     /// The common period of the orbits, if every orbit is periodic.
     pub period: Option<usize>,
-    /// The number of orbits: modulo two primes, with two starts each, unless time ran out.
+    /// The number of orbits: two starts modulo each of two primes, unless time ran out.
     pub orbits: usize,
     /// Whether the results of all orbits are equal.
     pub agree: bool,
 }
 
-/// The most monomials up to the default degree.
+/// The default degree of relations is the highest one with at most this many monomials.
 const MOST_MONOMIALS: usize = 220;
 
 /// The most monomials if the default degree is 2, which admits more variables.
@@ -57,8 +57,8 @@ pub fn default_degree(variables: usize) -> u32 {
         .unwrap_or(1)
 }
 
-/// Returns relations on a random orbit. Returns `None` if 8 orbits end at poles or the deadline
-/// passes.
+/// Returns the relations on an orbit from a random start. Returns `None` if the orbits of 8 starts
+/// meet poles, or if the deadline passes.
 pub fn random_relations(
     map: &impl ModularStep,
     monomials: &Monomials,
@@ -108,8 +108,8 @@ impl Hilbert {
     }
 
     /// Follows one orbit up to a higher degree, and all four orbits if this orbit shows more
-    /// integrals than `self`. The rank on an orbit is at most the generic rank, so an orbit without
-    /// new integrals excludes them. Returns `None` as [`of`](Self::of) does.
+    /// integrals than `self`. No orbit shows fewer integrals than a generic orbit, because its rank
+    /// is at most the generic rank. Returns `None` as [`of`](Self::of) does.
     pub fn further(
         &self,
         searched: &SearchField,
@@ -146,8 +146,8 @@ impl Hilbert {
         }
     }
 
-    /// Combines the results of two orbits. Of different ranks the larger is kept, since the generic
-    /// rank is the largest.
+    /// Combines the results of two orbits. If their ranks differ, the larger ranks are kept,
+    /// because no orbit exceeds the generic rank.
     fn with(mut self, other: Hilbert) -> Self {
         self.agree &= self.values == other.values && self.integrals == other.integrals;
         if other.values > self.values {

@@ -1,6 +1,6 @@
 //! Computes upper bounds on the number of integrals from fixed points of the map.
 //!
-//! A zero of the field modulo a prime proves each bound ([`integral_bound`]). Zeros are found by
+//! One zero of the field modulo a prime proves a bound ([`integral_bound`]). Zeros are found by
 //! trial: some states are random, and equations with one remaining unknown are solved.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
@@ -23,14 +23,14 @@ pub struct IntegralBound {
     pub parameters: Vec<u64>,
 }
 
-/// All primes are 3 modulo 4, so that square roots are powers. A random point is more often a zero
-/// modulo a small prime. Modulo a large prime, eigenvalues are less often equal by chance.
+/// All primes are 3 modulo 4, so √a is a power of a, up to its sign. Zeros are more frequent modulo
+/// a small prime. Modulo a large prime, fewer eigenvalues are equal by chance.
 const PRIMES: [u64; 6] = [1_000_003, 7, 31, 11, 103, 19];
 
 /// The most variables of a field. The eigenvalues cost n⁴ multiplications for n variables.
 const MOST_VARIABLES: usize = 24;
 
-/// The most trials if the bound cannot end a search early.
+/// The most trials if a bound would not shorten the search for integrals.
 pub const FEW_TRIALS: usize = 24_000;
 
 /// The most trials if the bound may save a long search.
@@ -72,7 +72,7 @@ pub fn integral_bound(
     let trials = trials.min(MAX_PRODUCTS / (n * n * n).max(1));
     for sample in 0..trials / TRIALS_A_SAMPLE {
         let prime = PRIMES[sample % PRIMES.len()];
-        // The prime must not divide the multiplicity of an eigenvalue, which is at most n.
+        // The derivative that finds multiple eigenvalues needs a prime above all multiplicities.
         if prime <= n as u64 {
             continue;
         }

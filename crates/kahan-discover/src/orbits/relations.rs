@@ -31,9 +31,9 @@ pub struct Relations {
 }
 
 impl Relations {
-    /// Returns the relations on an orbit up to the degree of `monomials`. Returns `None` at a pole,
-    /// or if the deadline passes. With N monomials and rank r, the cost is N + 6 steps and N² r
-    /// multiplications.
+    /// Returns the relations among `monomials` on the orbit of `start`. Returns `None` if the orbit
+    /// meets a pole, or if the deadline passes. With N monomials and rank r, the cost is N + 6
+    /// steps and N² r multiplications.
     #[must_use]
     pub fn on_orbit(
         map: &impl ModularStep,
@@ -56,8 +56,8 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// Returns the codimension that the relations give to the Zariski closure of the orbit: the
-    /// rank of their gradients at the start.
+    /// Returns the codimension of the variety that the relations define at the start: the rank of
+    /// their gradients there.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         self.normals(modulus, monomials).len()

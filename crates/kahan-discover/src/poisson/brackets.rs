@@ -32,7 +32,7 @@ const MOST_BRACKETS: usize = 3;
 
 const MOST_CHARACTERS: usize = 2_500;
 
-/// The most characters of a bracket of rank 2 in four dimensions, if a bracket of full rank exists.
+/// The most characters of a bracket of rank 2 in four dimensions beside one of full rank.
 const MOST_BESIDE: usize = 400;
 
 /// A proved invariant Poisson bracket.

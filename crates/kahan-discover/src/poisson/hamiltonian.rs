@@ -26,7 +26,7 @@ const MODIFIED_WORK: u64 = 10_000_000;
 
 const MOST_STRUCTURES: usize = 4;
 
-/// The number of equations for each component beyond the number of unknowns.
+/// For each component of the field, the number of equations beyond the number of unknowns.
 const SPARE_EQUATIONS: usize = 6;
 
 /// A decomposition f = K∇H with a constant antisymmetric matrix K.
@@ -46,11 +46,12 @@ pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
 }
 
-/// Finds matrices K of a reduced basis with f = K∇H, each with its function H.
+/// Finds constant matrices K with f = K∇H, and the function H for each.
 ///
-/// That f′(x)K is symmetric for all x is a linear condition on K. For each K, f = K∇H is a linear
-/// equation for the coefficients of a cubic H. If no K of the basis has an H, the sum of the basis
-/// is tried. The result is empty if H has more than 400 coefficients, or if the field is zero.
+/// The matrix f′(x)K must be symmetric for all x, and the K with this property have a reduced
+/// basis. For each K of the basis, f = K∇H is a linear equation for the coefficients of a cubic H.
+/// If no K of the basis has an H, the sum of the basis is tried. The result is empty if H has more
+/// than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
     searched: &SearchField,
     random: &mut SplitMix64,

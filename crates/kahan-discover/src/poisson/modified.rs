@@ -15,10 +15,10 @@ use crate::modular::subspace::primitive_in_states;
 use crate::poisson::hamiltonian::{Hamiltonian, hamiltonians};
 use crate::report::ModifiedPlace;
 
-/// A compact form may replace a formula with more characters than this.
+/// A formula may be replaced by H + (x̃ − x)·∇H/3 if it has more characters than this.
 const LONG_FORMULA: usize = 1000;
 
-/// A compact form may replace a formula that is at least this many times as long as the form.
+/// A formula is replaced only if it is more than this many times as long as the new text.
 const FAR_SHORTER: usize = 4;
 
 pub(crate) struct Modified {
@@ -94,8 +94,8 @@ pub(crate) struct Gradients<'a> {
 }
 
 impl Gradients<'_> {
-    /// Chooses the form of each modified Hamiltonian. An independent one is reported on its own.
-    /// Any other one replaces a much longer formula that it implies, or is omitted.
+    /// Decides how each modified Hamiltonian is reported. An independent one is reported on its
+    /// own. Any other one replaces a much longer integral that depends on it, or is omitted.
     pub(crate) fn places(
         &self,
         all: &[Modified],
@@ -106,8 +106,8 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // Returns the rank of all gradients except that of formula `but`, and with `own` if
-            // `with_own` is true.
+            // Returns the rank of all gradients without that of formula `but`. The gradient `own`
+            // of the modified Hamiltonian is included if `with_own` is true.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

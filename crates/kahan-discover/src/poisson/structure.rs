@@ -48,12 +48,12 @@ const FEW_VARIABLES: usize = 10;
 pub(crate) struct IntegralsByRules {
     /// Integrals that are accepted before the search for other integrals.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
-    /// The integrals that the search may replace by integrals of equal degree with a common
-    /// denominator.
+    /// Integrals that are accepted late, because the search may find integrals of equal degree with
+    /// a common denominator.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 
-/// Returns the integrals of the map by the rules of polarisation and rotation, at the fixed ε.
+/// Returns the integrals of the map by the theorems of [`Rule`], at the fixed ε if there is one.
 pub(crate) fn integrals_by_rules(searched: &SearchField, field: &Field) -> IntegralsByRules {
     let has_few = field.dimension() <= FEW_VARIABLES;
     let is_linear = (0..field.dimension()).all(|i| field.homogeneous_part(i, 2).is_zero());

@@ -1,16 +1,15 @@
-//! Computes the degrees of iterates that singularity patterns imply, confined or not.
+//! Computes the degrees dₙ of iterates that singularity patterns imply, confined or not.
 //!
-//! Iterate n is restricted to a generic line. Let Zₙ(C) count the points of the line that reach the
-//! curve C at step n before any other followed curve. Move each point of a curve B by δ off the
-//! curve. Then the patterns determine how its images meet the curves: (degree of C)·dₙ = Zₙ(C) + Σ
-//! Zₙ₋ₖ(B)·(order to which B meets C after k steps), over curves B and k. For a map of degree d,
-//! shared powers of δ cancel: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power shared in B's step after k). Source:
-//! Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order.
+//! Move each point of a followed curve B by δ off the curve. Its image after k steps meets a curve
+//! C to the order mₖ(B, C) in δ, and δ^sₖ(B) cancels in step k. Let Zₙ(C) count the points of a
+//! generic line that reach C at step n before any other followed curve. Then (degree of C)·dₙ =
+//! Zₙ(C) + Σ Zₙ₋ₖ(B)·mₖ(B, C), and dₙ₊₁ = d·dₙ − Σ Zₙ₊₁₋ₖ(B)·sₖ(B) for a map of degree d, with sums
+//! over B and k (Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order).
 
 use super::jet::Image;
 
 /// Returns the degrees d₀, d₁, … of the iterates of a map of this degree, as far as `curves`
-/// determines them. Each entry holds the degree of a curve and its images.
+/// determines them. Each entry holds the degree of a curve, and its images after 1, 2, … steps.
 pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
     let steps = curves.iter().map(|(_, images)| images.len()).min()?;
     let mut degrees = vec![1usize];
@@ -27,8 +26,8 @@ pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec
     Some(degrees)
 }
 
-/// Sums Zₘ(B) · `weight`(image of B after n − m steps) over all steps m < n and all curves B, where
-/// Zₘ(B) is the number of points that first reach B at step m.
+/// Returns Σ Zₘ(B)·`weight`(image of B after n − m steps) over all steps m < n and all curves B,
+/// where Zₘ(B) is the number of points that first reach B at step m.
 fn later(
     first_times: &[Vec<usize>],
     curves: &[(usize, &[Image])],

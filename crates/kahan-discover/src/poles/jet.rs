@@ -1,9 +1,9 @@
 //! Jets of a curve (or surface) modulo a prime, which are followed through poles.
 //!
 //! A generic point of the curve is moved by δ in a random direction. The map acts on homogeneous
-//! coordinates [X : W], which are power series in δ. After every step, shared powers of δ cancel.
-//! At δ = 0 the result is the image of the point. The image and its derivatives along the curve
-//! span a space of one dimension more than the curve's image.
+//! coordinates [X : W], which are power series in δ. After every step, common powers of δ cancel.
+//! At δ = 0 the result is the image of the point. The vectors of this image and of its derivatives
+//! along the curve span a vector space, whose dimension is that of the curve's image plus 1.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -36,17 +36,17 @@ pub struct Image {
     pub dimension: usize,
     /// Whether the image lies at infinity.
     pub is_infinite: bool,
-    /// The power of δ that cancelled from the homogeneous coordinates in the last step, for a point
-    /// that starts at a distance of order δ from the curve.
+    /// The power of δ that cancelled from all homogeneous coordinates in the last step, if the
+    /// start was moved off the curve by δ.
     pub shared: usize,
-    /// The order in δ at which each followed curve's polynomial vanishes at this point's image.
+    /// For each followed curve, the order in δ to which its polynomial vanishes at this image.
     pub contacts: Vec<usize>,
 }
 
 /// The reason why the image of a curve is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoImage {
-    /// All known coefficients of the power series vanish, but longer series may decide.
+    /// All computed coefficients of a power series vanish, so longer series are needed.
     TooShort,
     SpecialPoint,
 }

@@ -2,9 +2,10 @@
 //! contracted.
 //!
 //! A curve is *blown down* if its image has a lower dimension. The singularity is *confined* after
-//! k steps if image k is a curve again. Results must agree modulo two primes at random parameters,
-//! ε and points. Confinement alone proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett.
-//! 81, 1998) confines and is chaotic. So the degrees of iterates are reported, too.
+//! k steps if the image after k steps has full dimension again. Results must agree modulo two
+//! primes at random parameters, ε and points. Confinement alone proves nothing: Hietarinta and
+//! Viallet's map (Phys. Rev. Lett. 81, 1998) confines and is chaotic. The degrees of iterates are
+//! reported, too.
 
 pub(crate) mod curves;
 mod implied_degrees;
@@ -85,9 +86,9 @@ const MOST_SAMPLES: usize = 40;
 /// The fraction of the time limit that the degrees of iterates may take.
 const FOR_DEGREES: f64 = 0.4;
 
-/// Follows curves that a system's map sends to infinity or contracts, for a number of steps.
+/// Follows curves that a system's map sends to infinity or contracts, for a number of `steps`.
 ///
-/// Only the fixed values and the limits on degrees and time in `options` have an effect. `watch` is
+/// Only the fixed values and the limits on degrees and time are used from `options`. `watch` is
 /// told of every curve before the curve is followed. Equal fields and options give equal results,
 /// unless time runs out.
 ///

@@ -48,7 +48,7 @@ impl Series {
         Series { rows }
     }
 
-    /// Divides by δ^power. Returns `None` where a lower coefficient has a nonzero derivative.
+    /// Divides by δ^power. Returns `None` if a lower coefficient, or a derivative of one, is not 0.
     pub(crate) fn divided(mut self, power: usize) -> Option<Series> {
         for row in &mut self.rows {
             if row.drain(..power).any(|coefficient| coefficient != 0) {

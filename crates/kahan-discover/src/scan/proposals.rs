@@ -19,14 +19,14 @@ use crate::orbits::hilbert::default_degree;
 use crate::report::Options;
 use crate::stages::discover_within;
 
-/// A relation between scanned parameters at which all points of the grid are special.
+/// A relation between scanned parameters. Degrees or ranks on it are not the generic ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proposal {
     /// The relation as written in a `when` clause, for example `c = -a - b`.
     pub relation: String,
     /// The number of grid points that satisfy the relation.
     pub points: usize,
-    /// The most frequent degrees and ranks among the points with the fewest integrals.
+    /// The most frequent degrees and ranks at those points that have the fewest integrals.
     pub sight: DegreesAndRanks,
     /// Proved claims, ready to paste, that hold only under the relation.
     pub claims: Vec<String>,
@@ -53,7 +53,7 @@ pub(super) fn proposals(
     };
     let axes: Option<Vec<Variable>> = scan.names.iter().map(|name| symbols.named(name)).collect();
     let (Some(axes), true) = (axes, scan.names.len() > 1) else { return Vec::new() };
-    // Additional integrals are stronger evidence than lower degrees.
+    // Points with additional integrals are better evidence for a relation, so they come first.
     let mut found = vanishing_polynomials(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
     let others = vanishing_polynomials(&grid(&|sight| *sight != scan.generic), &found);
     found.extend(others);
@@ -70,7 +70,7 @@ pub(super) fn proposals(
     proposals
 }
 
-/// Returns the most frequent degrees and ranks among those with the fewest integrals.
+/// Considers only entries with the fewest integrals, and returns the most frequent one.
 fn usual_degrees<'a>(sights: impl Iterator<Item = &'a DegreesAndRanks>) -> Option<&'a DegreesAndRanks> {
     let mut counts: HashMap<String, (usize, &DegreesAndRanks)> = HashMap::new();
     for sight in sights {
@@ -133,7 +133,7 @@ impl<'a> RelationProver<'a> {
         }
     }
 
-    /// Proves claims that hold only where the polynomial vanishes, within `seconds`.
+    /// Within `seconds`, proves claims that hold only where the polynomial vanishes.
     fn prove(&mut self, polynomial: &Polynomial, relation: &str, seconds: f64) -> Vec<String> {
         let Some((system, options)) = self.restricted(polynomial, seconds) else { return Vec::new() };
         let found = discover_within(&system, &options, self.work, &|_, _| ());
@@ -156,8 +156,8 @@ impl<'a> RelationProver<'a> {
             options.eps = Some(value.as_polynomial()?.as_constant()?);
             return Some((System { claims: Vec::new(), ..self.system.clone() }, options));
         }
-        // Relations with ε are rejected: they could bring odd powers of ε into the field, which may
-        // contain only even powers.
+        // Relations with ε are rejected: substitution could bring odd powers of ε into the field,
+        // and `kahan!` allows only even powers.
         let is_free = !value.numerator().contains(symbols.epsilon())
             && !value.denominator().contains(symbols.epsilon());
         let system = is_free.then(|| self.system.on(&relations))??;

@@ -1,9 +1,9 @@
 //! Finds polynomials of low degree in the scanned parameters that vanish only at special grid
 //! points, where degrees or ranks are not generic.
 //!
-//! Simple polynomials come first: a single value, linear polynomials, two monomials. Special points
-//! at which an earlier polynomial vanishes are no evidence for later ones. Numbers are residues
-//! modulo a prime of 61 bits.
+//! Simple polynomials come first: a single value, linear polynomials, two monomials. A special
+//! point at which an earlier polynomial vanishes does not count for later ones. Coefficients are
+//! computed modulo a prime of 61 bits.
 
 use std::collections::BTreeSet;
 
@@ -34,7 +34,7 @@ const SPARE_POINTS: usize = 2;
 /// Polynomials that vanish by accident with a higher probability than this are rejected. The
 /// probability is p^(zeros − coefficients), where p is the fraction of special points on the grid.
 const MAX_COINCIDENCE_PROBABILITY: f64 = 0.01;
-/// The number of random choices of points through which linear polynomials are tried.
+/// The number of random sets of special points through which linear polynomials are tried.
 const POINT_CHOICES: usize = 3000;
 const MOST_NAMES: usize = 4;
 const HIGHEST_DEGREE: u32 = 3;
@@ -42,8 +42,8 @@ const LARGEST: u64 = 1000;
 /// The most special points from which candidates are made.
 const MOST_POINTS: usize = 600;
 
-/// Finds polynomials that vanish at special points at which no polynomial of `known` does, the
-/// simplest first.
+/// Finds polynomials that vanish at special points, the simplest first. Special points at which a
+/// polynomial of `known` vanishes do not count.
 pub(super) fn vanishing_polynomials(grid: &Grid, known: &[VanishingPolynomial]) -> Vec<VanishingPolynomial> {
     let mut search = Search::new(grid);
     search.open.retain(|at| known.iter().all(|shape| !shape.points.contains(at)));
@@ -87,8 +87,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Tries linear polynomials through random special points at which no polynomial found so far
-    /// vanishes, first in few parameters.
+    /// Tries linear polynomials through random special points that are no zeros of earlier
+    /// polynomials. Polynomials in few parameters come first.
     fn linear(&mut self) {
         let mut random = SplitMix64::new(0);
         for size in 2..=self.names.len().min(MOST_NAMES) {

@@ -1,4 +1,4 @@
-//! Searches formulas of integrals, and bases and compact forms of other integrals.
+//! Searches for formulas, Hirota–Kimura bases and compact forms of integrals.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -20,7 +20,7 @@ use crate::report::{MOST_READABLE, ModifiedPlace};
 
 use super::Deadlines;
 
-/// The integrals that a search with relations of some degree finds.
+/// The integrals that one search finds, from relations up to its degree.
 pub(super) struct Integrals {
     pub(super) integrals: Vec<Formula>,
     /// All proved formulas, including long formulas that bases replace.
@@ -28,7 +28,7 @@ pub(super) struct Integrals {
     pub(super) bases: Vec<Basis>,
     /// The number of independent integrals, including integrals without a formula.
     pub(super) independent: usize,
-    /// Whether each modified Hamiltonian is proved as a claim, and the form in which it is given.
+    /// For each modified Hamiltonian: whether it is proved as a claim, and how it is reported.
     pub(super) modified: Vec<(bool, ModifiedPlace)>,
 }
 
@@ -152,7 +152,7 @@ impl Search<'_> {
         is_independent
     }
 
-    /// Returns gradients of the integrals at `place`, from the relations on the orbit through it.
+    /// Returns vectors that span the gradients of all integrals at `place`.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);

@@ -36,9 +36,8 @@ use kahan_algebra::system::{Claim, System};
 /// higher degree, a claim may be rewritten and reported again.
 ///
 /// Equal fields and options give equal results, unless time runs out. Without a given degree, the
-/// search continues to higher degrees while integrals may be missing and time is left.
-/// [`Report::bound`] tells why the search ended. Results of the default degree do not depend on the
-/// machine.
+/// search continues to higher degrees while integrals may be missing and time is left. These later
+/// results may differ between machines. [`Report::bound`] tells why the search ended.
 ///
 /// # Errors
 /// Returns a [`DiscoverError`] if the field has no invertible map or too many variables, or for

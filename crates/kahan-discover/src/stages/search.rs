@@ -1,4 +1,4 @@
-//! Searches formulas, given relations of orbits.
+//! Searches for formulas of invariants, given the relations on orbits.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -17,8 +17,8 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, bracket_of_structure, br
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The fraction of the time for the search of formulas, if compact forms or brackets make formulas
-/// less important.
+/// The fraction of the remaining time for a search for formulas, if compact forms or brackets
+/// already give the invariants.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
@@ -31,7 +31,7 @@ pub(super) struct Search<'a> {
     pub(super) proved: &'a [Formula],
     /// Integrals of the flow that the map preserves.
     pub(super) kept: &'a [Polynomial],
-    /// Integrals of the map by the rotation rule.
+    /// Integrals of the map by theorems, accepted after the search has passed their degree.
     pub(super) further: &'a [(Polynomial, Polynomial)],
     pub(super) is_even: bool,
     pub(super) place: &'a SampledStep,
@@ -58,7 +58,7 @@ impl SearchResult {
 }
 
 impl Search<'_> {
-    /// Searches formulas, bases, densities and brackets. Densities of the search `before` are kept.
+    /// Searches for formulas, bases, densities and brackets. Reuses densities found `before`.
     pub(super) fn found(
         &self,
         hilbert: Option<&Hilbert>,
@@ -94,8 +94,8 @@ impl Search<'_> {
         until: &Deadline<'_>,
     ) -> Vec<PoissonTensor> {
         let searched = self.searched;
-        // In two and three variables the density and the integrals yield all brackets. In three
-        // variables, brackets of degree 2 may be shorter.
+        // In two and three variables the density and enough integrals imply all brackets. In three
+        // variables, brackets up to degree 2 are still searched, because they may be shorter.
         let is_said = searched.dimension() < 4 && integrals + 2 >= searched.dimension();
         let highest = if is_said { 2 } else { u32::MAX };
         match before {
@@ -111,7 +111,7 @@ impl Search<'_> {
         }
     }
 
-    /// Searches a density, unless a density was found `before` or follows from a bracket.
+    /// Searches for a density, unless a density was found `before` or follows from a bracket.
     fn densities(
         &self,
         before: Option<&SearchResult>,
@@ -124,8 +124,8 @@ impl Search<'_> {
         let of_tensor =
             tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
-        // A bracket of full rank implies a density. If its formula was not found, it is long, so
-        // little time is spent on it.
+        // A bracket of full rank implies a density. If the density was not found in this way, its
+        // formula is long, so little time is spent on a search for it.
         let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
         let for_formulas = until.after_share(SHARE_FOR_FORMULAS);
         let until_densities = if is_implied { &for_formulas } else { until };

@@ -6,8 +6,8 @@ use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 
-/// Homogeneous coordinates of a point that is moved by δ off a curve, as polynomials in δ. They are
-/// linear in the parameters of the curve.
+/// Homogeneous coordinates of a point that is moved by δ off a curve, as polynomials in δ and the
+/// parameters of the curve. Terms of higher degree than 1 in these parameters are dropped.
 pub(crate) struct ExactGerm {
     map: Vec<Polynomial>,
     degree: u32,
@@ -37,7 +37,7 @@ impl ExactGerm {
         let below = at(&curve.derivative(states[solved]), &point).as_constant()?;
         let above = at(&curve.substitute(states[solved], &Rational::zero()), &point).as_constant()?;
         point[solved] = -above.checked_div(&below)?;
-        // The variable of the solved state stands for δ, and all others for the curve's parameters.
+        // The variable of state `solved` stands for δ, the others for the curve's parameters.
         let (delta, slopes): (Variable, Vec<Variable>) =
             (states[solved], (0..n).filter(|&i| i != solved).map(|i| states[i]).collect());
         let value = |polynomial: &Polynomial| {

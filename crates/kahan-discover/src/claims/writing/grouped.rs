@@ -62,8 +62,8 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // For each factor: the number of terms of all coefficients that the factor divides, and the
-        // indices of these coefficients.
+        // For each factor of coefficients: the factor, the total number of terms of all
+        // coefficients that it divides, and the indices of these coefficients.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {

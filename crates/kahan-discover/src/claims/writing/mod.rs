@@ -1,7 +1,7 @@
-//! Writes formulas in the language of `kahan!`: factored, and in powers of known polynomials.
+//! Writes formulas as products of factors in the language of `kahan!`.
 //!
-//! A long factor P may have a short text Σ dₖ Fᵏ, as for the Lagrange top. Here the polynomial F is
-//! linear in a variable v, and the coefficients dₖ do not contain v.
+//! A long factor may have a shorter text Σ dₖ Fᵏ in powers of another polynomial F, as for the
+//! Lagrange top. F is linear in a variable v, and the coefficients dₖ do not contain v.
 
 mod grouped;
 mod powers;
@@ -77,7 +77,7 @@ pub(crate) fn quotient(
     if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
 }
 
-/// Represents the product content · front / front_below · ∏ sums.
+/// A product of `content`, front/front_below, and powers of the polynomials in `sums`.
 #[derive(Clone, Debug)]
 struct Product {
     content: Rational,
@@ -170,8 +170,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // A divisor is written on the other side of the fraction, so the length of
-                        // a text with a divisor is multiplied by 3/2.
+                        // The monomial `front_below` is printed on the other side of the fraction
+                        // and lengthens it. For this the text counts 3/2 times its length.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));
@@ -221,7 +221,7 @@ pub(crate) fn begins_negative(polynomial: &Polynomial) -> bool {
     first.is_some_and(|(_, coefficient)| coefficient.is_negative())
 }
 
-/// Tells whether every sum in the text is in parentheses.
+/// Tells whether the text is a product, in which every sum is in parentheses.
 pub(crate) fn is_product(text: &str) -> bool {
     let mut depth = 0;
     text.chars().all(|c| {

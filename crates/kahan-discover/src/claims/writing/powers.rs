@@ -16,14 +16,14 @@ pub(super) struct Scale {
 }
 
 pub(crate) struct PowerExpansion {
-    /// The polynomial times `scale`, written in powers of the base, for which `fresh` stands.
+    /// The polynomial times `scale`. Powers of the variable `fresh` stand for powers of the base.
     pub(crate) sum: Polynomial,
     pub(crate) fresh: Variable,
     pub(crate) scale: Polynomial,
 }
 
 /// Writes the polynomial in powers of `base`, which must be linear in `variable`. The coefficient
-/// of `variable` in `base` must be one term without states.
+/// of `variable` in `base` must be a single term that contains no state.
 pub(crate) fn in_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,

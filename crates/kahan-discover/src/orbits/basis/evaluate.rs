@@ -17,8 +17,9 @@ pub struct BasisValues {
     /// The condition number of the linear system for the coefficients, in which each monomial is
     /// scaled by its largest value. It grows if points lie close together.
     ///
-    /// Suppose that the points have a relative error u. Then each term cₖ max |mₖ| of coefficient
-    /// and monomial has an error of about `condition`·u or less, relative to the largest term.
+    /// If the points have a relative error u, each product cₖ max |mₖ| of a coefficient and a
+    /// monomial has an error of about `condition`·u or less, relative to the largest of these
+    /// products.
     pub condition: f64,
 }
 
@@ -32,7 +33,7 @@ pub enum BasisError {
         /// The number of points given.
         given: usize,
     },
-    /// The numbers of states of a point and of the monomials differ.
+    /// A point has more or fewer states than the monomials.
     Dimension {
         /// The number of states of the monomials.
         wanted: usize,

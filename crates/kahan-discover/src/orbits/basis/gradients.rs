@@ -21,7 +21,7 @@ pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) ->
         (0..n).map(|i| (0..n).map(|j| if i == j { modulus.one() } else { 0 }).collect()).collect();
     let mut values: Vec<Vec<u64>> = Vec::new();
     let mut slopes: Vec<Vec<Vec<u64>>> = Vec::new();
-    // One more point than needed shows whether a relation exists.
+    // The relation has `size` − 1 unknown coefficients, and one more point checks that it holds.
     for _ in 0..size {
         let (own, gradients): (Vec<u64>, Vec<Vec<u64>>) =
             basis.monomials.iter().map(|exponents| monomial_at(modulus, exponents, &point)).unzip();

@@ -69,10 +69,10 @@ pub struct Basis {
     pub terms: Vec<Term>,
     /// The index of the unit, the monomial with coefficient 1.
     pub unit: usize,
-    /// The indices of coefficients that are independent integrals without a formula.
+    /// The indices of the coefficients that are independent integrals, all without a formula.
     pub integrals: Vec<usize>,
-    /// The number of random points and primes at which the relation was checked, or `None` if the
-    /// relation was only observed. The probability of an error is below 2⁻¹⁰⁰.
+    /// The number of random points at which the relation was checked, each modulo a random prime,
+    /// or `None` if the relation was only observed. The probability of an error is below 2⁻¹⁰⁰.
     pub proof: Option<u32>,
 }
 
@@ -88,7 +88,7 @@ impl Basis {
     pub fn term_texts(&self, states: &[String], notation: &dyn Notation) -> Vec<String> {
         let text = |term: &Term| {
             let mut text = String::new();
-            // A formula begins with the highest monomial unless that monomial is subtracted.
+            // The highest monomial is written first, unless its sign is negative.
             let mut places = term.clone();
             if places.last().is_some_and(|&(_, factor)| factor > 0) {
                 places.reverse();
@@ -124,8 +124,8 @@ impl Basis {
         self.terms.iter().position(|term| term.iter().any(|&(own, _)| own == place))
     }
 
-    /// Returns pairs (numerator, denominator) of terms. The quotients of their coefficients are
-    /// independent integrals. Terms are numbered as in [`relation`](Self::relation).
+    /// Returns independent integrals as quotients of coefficients: pairs (numerator, denominator)
+    /// of terms, numbered as in [`relation`](Self::relation).
     #[must_use]
     pub fn quotients(&self) -> Vec<(usize, usize)> {
         let unit = self.term_of(self.unit);
@@ -133,7 +133,7 @@ impl Basis {
         quotients.collect()
     }
 
-    /// Returns the integral that a relation of two terms gives, for at most eight monomials.
+    /// Returns the integral t₁/t₀ of a relation c₀t₀ + c₁t₁ = 0 with at most eight monomials.
     pub(crate) fn quotient_of_terms(
         &self,
         searched: &SearchField,
@@ -157,8 +157,8 @@ impl Basis {
         Some((sum(above), sum(below)))
     }
 
-    /// Joins monomials into one term if one coefficient is the same integer multiple of the other
-    /// on three orbits.
+    /// Joins monomials into one term if their coefficients have the same integer quotient on three
+    /// orbits.
     pub(crate) fn join_terms(&mut self, searched: &SearchField, random: &mut SplitMix64) {
         let mut sampled: Vec<(Modulus, Vec<u64>)> = Vec::new();
         for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
@@ -229,7 +229,7 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
 }
 
 /// Chooses the shortest bases until `wanted` integrals are independent, or no candidate is left.
-/// This number includes known integrals, whose gradients at `place` are in `gradients`. The
+/// `gradients` holds the gradients at `place` of the integrals known before, which count too. The
 /// gradients of the new integrals are appended.
 pub(crate) fn choose_bases(
     candidates: &[Basis],
@@ -265,8 +265,8 @@ pub(crate) fn choose_bases(
 /// The number of monomials above which only two orders of the variables are tried.
 const MANY_MONOMIALS: usize = 250;
 
-/// Returns sets of monomials up to a degree that have one relation, the smallest sets first. In n
-/// variables the cost is 2n + 1 echelon forms of N columns, where N = C(n + degree, n).
+/// Returns sets of monomials up to a degree with one relation along an orbit, the smallest first.
+/// In n variables the cost is 2n + 1 echelon forms of N columns, where N = C(n + degree, n).
 pub(crate) fn candidates(
     searched: &SearchField,
     degree: u32,
@@ -320,7 +320,7 @@ fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     orders
 }
 
-/// Reduces the relations so that the last monomial in the order is the leading one.
+/// Reduces the relations, so that each has the last of its monomials in `order` as the leading one.
 fn reduced_in(
     modulus: &Modulus,
     relations: &Relations,
@@ -337,8 +337,8 @@ fn reduced_in(
     Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }
 
-/// Returns the candidate on these monomials, unless a state divides all of them. The lowest
-/// monomial is the unit.
+/// Returns the basis of these monomials, unless a state divides all of them. The coefficient of the
+/// lowest monomial is set to 1.
 fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
     let n = monomials.variables();
     if support.len() < 2 {

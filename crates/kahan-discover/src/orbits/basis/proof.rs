@@ -1,10 +1,10 @@
 //! Proves that the terms of a basis have one relation along every orbit.
 //!
-//! Let the basis have r + 1 terms. Their determinant at r + 1 consecutive points must vanish
-//! identically, while r rows are independent. The map is birational, so later points are as generic
-//! as the first ones, and the relation holds on the whole orbit. The determinant is a rational
-//! function of bounded degree and size, and is evaluated at random points modulo random primes.
-//! Points on both sides of the start keep the degrees low.
+//! Let the basis have r + 1 terms. The determinant of their values at r + 1 consecutive points must
+//! vanish identically, and r of its rows must be independent. The map is birational, so images of
+//! generic points are generic, and the relation holds on the whole orbit. The determinant is a
+//! rational function with bounds on degree and coefficients, and is evaluated at random points
+//! modulo random primes. Points on both sides of the start keep the degrees low.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -92,7 +92,7 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // The bound grows by a bit if the number of rows, or the sum of the factors, doubles.
+    // The number of bits grows by 1 if the number of rows, or the sum of |factor|, doubles.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = PolynomialBound { degree: 0, bits: size * bits };
     for steps in [before, after] {
@@ -116,8 +116,8 @@ fn image(point: PolynomialBound, field: &Field, eps: Option<&Rational>) -> Optio
     let sides = || field.numerators().chain(field.denominators());
     let of_coefficients = sides().map(others).max()?;
     let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
-    // Row i of A has at most the 1-norm |qᵢ| + 4 |pᵢ|, where pᵢ/qᵢ is component i of the field,
-    // times the size of a fixed ε.
+    // Let pᵢ/qᵢ be component i of the field, and |·| the 1-norm. Row i of A has a 1-norm of at most
+    // |qᵢ| + 4 |pᵢ|. A fixed ε adds at most its own bits.
     let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
     Some(PolynomialBound {
         degree: degree.checked_mul(n)?,

@@ -39,22 +39,23 @@ const TRIED_ITERATES: [usize; 4] = [8, 16, 32, 64];
 /// plane.
 ///
 /// **A bound on degrees.** Let dₖ = deg φᵏ for the map φ. Suppose that φ permutes the curves of a
-/// pencil. Let w be the class of these curves in the Picard–Manin space, and ℓ that of a line. Then
-/// φ∗w = w, w² = 0 and w·ℓ > 0. The classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So
-/// uᵢ − uⱼ lies in w^⊥, on which the form is negative semidefinite (Hodge). The negative square
-/// −(uᵢ − uⱼ)² is 2(d₍ᵢ₋ⱼ₎ − 1). The triangle inequality gives
+/// pencil. Let w be the class of these curves in the Picard–Manin space, ℓ that of a line, and u·v
+/// the intersection form. Then φ∗w = w, w² = 0 and w·ℓ > 0. The classes uⱼ = φʲ∗ℓ satisfy uⱼ·w =
+/// ℓ·w and uᵢ·uⱼ = d_{|i−j|}. Therefore uᵢ − uⱼ lies in w^⊥, on which the intersection form is
+/// negative semidefinite (Hodge), and −(uᵢ − uⱼ)² is 2(d_{|i−j|} − 1). The triangle inequality
+/// gives
 ///
 /// dₖ − 1 ≤ k²(d₁ − 1) ≤ k².
 ///
-/// If degrees do not grow exponentially, a class w with w² ≥ 0, w·ℓ > 0 and φ∗w = w exists
+/// If degrees do not grow exponentially, a real class w with w² ≥ 0, w·ℓ > 0 and φ∗w = w exists
 /// (Gizatullin; Diller and Favre, "Dynamics of bimeromorphic maps of surfaces", Amer. J. Math.
-/// 2001; Cantat 2011), and the inequality holds as well. So a single degree dₖ > k² + 1 proves that
-/// growth is exponential and that no rational integral exists.
+/// 2001; Cantat 2011), and the inequality follows in the same way. So a single degree dₖ > k² + 1
+/// proves that growth is exponential and that no rational integral exists.
 ///
 /// **Degrees modulo a prime are lower bounds.** Let R be the factorial ring ℤ[parameters, ε]
-/// localised at the prime ideal of the prime and the sampled values. By Gauss's lemma the forms Φ
-/// of the map satisfy Φᵏ = HΨ with forms H and Ψ over R, where Ψ has degree dₖ. Suppose that a
-/// point has an image under φᵏ modulo the prime. Then Ψ modulo the prime gives this image. On a
+/// localised at the prime ideal of the prime and the sampled values. By Gauss's lemma the
+/// homogeneous components Φ of the map satisfy Φᵏ = HΨ over R, where Ψ has degree dₖ. Suppose that
+/// a point has an image under φᵏ modulo the prime. Then Ψ modulo the prime gives this image. On a
 /// line these images are rational functions of degree at most dₖ, for which Thiele's continued
 /// fraction finds at most this degree.
 pub(crate) fn growth(
@@ -96,17 +97,17 @@ pub(crate) fn growth(
 /// The number of iterates over which degrees must grow linearly before growth is called linear.
 const LINEAR_ITERATES: usize = 200;
 
-/// Returns the number of iterates with linear growth of degrees, if linear growth excludes
-/// integrals.
+/// Returns the number of iterates over which degrees grow linearly, if this excludes integrals.
 ///
 /// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre). The
 /// parameter t of the pencil changes by a Möbius map μ. Integrals and drifts are functions of t. If
-/// a drift has infinite order as a Möbius map, so has μ, and every integral is constant.
+/// a drift changes by a Möbius map of infinite order, μ has infinite order, and every integral is
+/// constant.
 ///
-/// The maps F + c with c ≠ 0 and c·F with c ≠ ±1 have infinite order. A Möbius map with matrix M of
-/// finite order n > 1 satisfies (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε. The identity has the
-/// value 4, and is the map at ε = 0 if the field is defined there. At generic ε, all other Möbius
-/// maps then have infinite order. Linear growth itself is observed, not proved.
+/// Drifts that become F + c with c ≠ 0, or c·F with c ≠ ±1, have infinite order. Any other drift
+/// has infinite order at generic ε if the field is defined at ε = 0. For the matrix M of its Möbius
+/// map, a finite order n > 1 means (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε. But at ε = 0 the map
+/// is the identity, and this quotient is 4. Linear growth itself is observed, not proved.
 pub(crate) fn linear(
     searched: &SearchField,
     map: &ModularMap,

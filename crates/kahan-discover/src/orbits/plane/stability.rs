@@ -13,26 +13,26 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// The least prime to try. The proof modulo a prime p fails by chance with a probability of about
-/// 3/p.
+/// The least prime to try. Modulo a prime p, a stable map appears unstable by chance with a
+/// probability of about 3/p.
 const LEAST_PRIME: u64 = 211;
-/// The number of integers from which the search for a prime may start.
+/// The search for a prime starts at a random one of this many integers from [`LEAST_PRIME`].
 const PRIME_SEARCH_RANGE: u64 = 1000;
 
-/// The most samples. If the three contracted lines are conjugate, their coefficients exist modulo
-/// the prime for about one sample in six.
+/// The most samples. If the three contracted lines are the roots of one irreducible equation, all
+/// exist modulo the prime for about one sample in six.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
 
 /// Finds a prime modulo which the map is algebraically stable of degree 2.
 ///
-/// Let Φ be the forms of the map, and Ψ the forms of the inverse (the map at −ε). Then Ψ∘Φ is κ
-/// times the identity, with a cubic form κ. The map contracts exactly the curves of κ. If κ is a
-/// product of linear forms, these curves are lines ℓᵢ with images qᵢ. Modulo the prime the orbit of
-/// qᵢ is finite. Outside of the lines the orbit cannot be periodic, since φ is injective there and
-/// never takes the value qᵢ. So the orbit reaches a point of indeterminacy, or a line ℓⱼ and then
-/// qⱼ. Finitely many steps from each qᵢ therefore decide stability.
+/// Let Φ be the homogeneous components of the map φ, and Ψ those of the inverse (the map at −ε).
+/// Then Ψ∘Φ is κ times the identity, with a cubic form κ. The map contracts exactly the curves of
+/// κ. If κ is a product of linear forms, these curves are lines ℓᵢ with images qᵢ. Outside of the
+/// lines φ is injective and never takes the value qᵢ, so the orbit of qᵢ cannot return to qᵢ there.
+/// Modulo the prime there are finitely many points, so it reaches a point of indeterminacy, or a
+/// line ℓⱼ and then qⱼ. Finitely many steps from each qᵢ therefore decide stability.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -56,8 +56,8 @@ struct Forms {
 
 impl Forms {
     /// Returns whether the map is stable and has degree 2. The cubic form κ must have three linear
-    /// factors, counted with multiplicity. If the degree is lower, the forms of the map vanish on
-    /// one of these three lines.
+    /// factors, counted with multiplicity. A lower degree is noticed on one of these three lines,
+    /// where all homogeneous components of the map vanish.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
         // A quadratic form with three zeros on a line vanishes on the line, so three points
@@ -71,7 +71,7 @@ impl Forms {
     /// indeterminacy.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // Every orbit leaves the complement of the lines, so the limit is never reached.
+        // Every orbit meets a line or a point of indeterminacy, so this limit is never reached.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -125,8 +125,8 @@ impl Forms {
         right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
     }
 
-    /// Returns the zeros of the cubic form κ on a line, except the line's first point. Returns
-    /// `None` if κ vanishes on the line.
+    /// Returns the zeros of the cubic form κ on the line through `infinity` and `base`, except
+    /// `infinity`. Returns `None` if κ vanishes on the line.
     fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
         let modulus = self.modulus();
         let mut point = base;
@@ -176,8 +176,9 @@ impl Forms {
         self.map_forms(point, self.map.eps())
     }
 
-    /// Returns (adj A · b, det A) for the homogeneous linear system A x̃ = b of the map: A = Z − ε
-    /// f′ and b = x + ε Bx + 2ε cZ, where f has the linear part Bx and the constant part c.
+    /// Returns (adj A · b, det A) for the linear system A x̃ = b of the map at the point (x : Z).
+    /// Here A = Z − ε f′ and b = x + ε Bx + 2ε cZ for a field f with linear part Bx and constant
+    /// part c.
     fn map_forms(&self, point: Point, eps: u64) -> Point {
         let modulus = self.modulus();
         let mut matrix = [[point[2], 0], [0, point[2]]];

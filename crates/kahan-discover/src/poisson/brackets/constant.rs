@@ -1,10 +1,9 @@
 //! Invariant Poisson brackets of the form (I − ε² f′²)K for fields f = K∇H with a constant K.
 //!
 //! The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε) for A(x,ε) = I − ε f′(x), and f′K is
-//! symmetric. So P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ. P is invariant in
-//! the plane, where P = det A · K, and in direct sums of planar systems. P is also invariant for
-//! planar fields over a commutative algebra (the canonical systems of Petrera and Suris), but not
-//! in general.
+//! symmetric. So P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ. In the plane P = det
+//! A · K is invariant, and so is P in direct sums of planar systems and for planar fields over a
+//! commutative algebra (the canonical systems of Petrera and Suris). P is not invariant in general.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};

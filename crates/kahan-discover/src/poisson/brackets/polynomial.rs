@@ -35,19 +35,19 @@ const MOST_COEFFICIENTS: usize = 600;
 /// The most coefficients of all entries up to degree 2, which suffice for eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
-/// The highest degree of the search if a bracket of full rank is already known.
+/// The highest degree of entries in the search, if a bracket of full rank is already known.
 const HIGHEST_BESIDE: u32 = 1;
 
 /// The number of points at which tensors are compared and Jacobi's identity is checked.
 const CHECK_POINTS: usize = 3;
 
-/// The most basis elements for which sums of elements are tried.
+/// Sums of basis elements are tried only if the basis has at most this many elements.
 const MOST_ELEMENTS: usize = 40;
 
 const MOST_TENSORS: usize = 4;
 
-/// The monomials of the entries, and the positions of entries above the diagonal. The coefficient
-/// of monomial m in entry k has the index m·pairs + k.
+/// The monomials of the entries, and the index pairs (i, j) of the entries above the diagonal. The
+/// coefficient of monomial m in the entry of pair k has the index m·pairs.len() + k.
 struct TensorMonomials {
     monomials: Monomials,
     pairs: Vec<(usize, usize)>,
@@ -59,7 +59,7 @@ pub(crate) struct PoissonTensor {
     pub(crate) entries: Vec<Polynomial>,
     /// The index of the constant matrix K, if the tensor is (I − ε² f′²)K.
     pub(crate) structure: Option<usize>,
-    /// Whether the bracket is omitted from the text because written brackets imply it.
+    /// Whether the bracket is not printed, because the printed brackets imply it.
     pub(crate) is_implied: bool,
 }
 
@@ -67,9 +67,9 @@ impl PoissonTensor {
     /// Returns a polynomial p such that 1/p is a candidate for an invariant density, if the rank is
     /// full.
     ///
-    /// In even dimension p is the Pfaffian of the tensor. In odd dimension p is the greatest common
-    /// divisor of the Pfaffians without one row and column. These Pfaffians are the gradient of a
-    /// polynomial Casimir function times a common factor.
+    /// In even dimension p is the Pfaffian of the tensor. In odd dimension let pᵢ be the Pfaffian
+    /// of the tensor without row and column i. The pᵢ are, up to signs, the gradient of a
+    /// polynomial Casimir function times a common factor, and p is their greatest common divisor.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
         let all: Vec<usize> = (0..n).collect();
         if n.is_multiple_of(2) {
@@ -111,7 +111,7 @@ struct Candidate {
 
 enum Source {
     Known(PoissonTensor),
-    /// The degree of the entries, and the coefficients of basis elements whose sum is the tensor.
+    /// A sum of basis elements: the degree of its entries, and the coefficients of each summand.
     Sum(u32, Vec<Vec<u64>>),
 }
 
@@ -131,8 +131,8 @@ impl Candidate {
 }
 
 /// Finds up to four brackets: independent brackets of the highest rank, and one bracket of each
-/// lower rank. Entries have degrees up to `highest`, at most 4. The brackets in `known` compete
-/// with those found, and are marked as implied if they are not chosen.
+/// lower rank. Entries have degrees up to `highest`, at most 4. The brackets in `known` are
+/// candidates, too. Those that are not chosen are appended, and marked as implied.
 ///
 /// The search ends at the first degree with a bracket of full rank, at the deadline, or at 600
 /// coefficients of all entries (1300 up to degree 2).
@@ -255,7 +255,7 @@ impl TensorMonomials {
         self.monomials.len() * self.pairs.len()
     }
 
-    /// Returns a basis of the invariant tensors with no coefficients outside of `support`.
+    /// Returns a basis of the invariant tensors whose nonzero coefficients lie in `support`.
     fn invariant(
         &self,
         map: &ModularMap,
@@ -403,7 +403,7 @@ impl TensorMonomials {
         Some((0..self.pairs.len()).map(entry).collect())
     }
 
-    /// Returns the weights of the coefficients on a support, relative to the first coefficient.
+    /// Returns the weights of the coefficients in `support`, minus the weight of the first one.
     /// Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ, up to a common weight.
     fn grading(&self, searched: &SearchField, support: &[usize]) -> Grading {
         let symbols = searched.family().symbols();

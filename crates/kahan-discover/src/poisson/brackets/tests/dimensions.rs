@@ -1,4 +1,4 @@
-//! Tests the proposition of section 4 of the paper in several dimensions.
+//! Tests that a density and n − 2 integrals give an invariant bracket (section 4 of the paper).
 
 use super::*;
 use kahan_algebra::read_unproved;
