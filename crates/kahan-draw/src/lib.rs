@@ -1,9 +1,9 @@
 //! Pictures of answers, and pages about answers.
 //!
-//! The input consists of answers of `kahan-study`, or of points, numbers and formulas. The output
-//! consists of drawings and HTML pages. `plot` turns a [`Plot`], [`SpacePlot`] or [`Grid`] into a
-//! [`Drawing`]. [`picture`] draws answers, and [`document`] and [`answer`] write pages. The crate
-//! neither parses arguments nor writes files.
+//! The input is an answer of `kahan-study`, or points, numbers and formulas. The output is drawings
+//! and HTML pages. `plot` turns a [`Plot`], [`SpacePlot`] or [`Grid`] into a [`Drawing`].
+//! [`picture`] draws answers, and [`document`] and [`answer`] write pages. The crate neither parses
+//! arguments nor writes files.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -24,7 +24,8 @@ fn comes_back<T>(value: &T)
 where
     T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Debug,
 {
-    // A JSON `Value` keeps numbers as text, and so avoids the feature `float_roundtrip`.
+    // With the feature `arbitrary_precision`, the JSON value in `read` keeps all digits of a
+    // number.
     let text = to_string(value).unwrap();
     assert_eq!(read::<T>(&text), *value, "{text}");
 }

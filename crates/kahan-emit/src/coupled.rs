@@ -23,7 +23,7 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
 use super::step::emit_cost;
 
-/// Emits the type `__Coupled`, which the field and the map use.
+/// Emits the type `__Coupled`, which holds the formulas of a field and of its derivative.
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, places] = table_sizes(context, couplings);

@@ -130,7 +130,7 @@ fn claim_with_conditions(context: &Context<'_>, claim: &Claim) -> String {
     if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
-/// Writes a paragraph about the norms ‖ε f′‖∞ up to which steps are accurate, if they are limited.
+/// If steps are accurate only for norms ‖ε f′‖∞ ≤ `holds_to`, writes a paragraph about this limit.
 fn step_size_note(who: &str, holds_to: u32) -> Vec<String> {
     if holds_to == LARGEST_SIZE {
         return Vec::new();

@@ -31,7 +31,7 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     bindings
 }
 
-/// Binds each parameter among the sorted `inputs` to the tokens that `read` returns for it.
+/// For each parameter in `inputs`, binds its name to the expression that `read` returns.
 pub(super) fn emit_bound_parameters(
     inputs: &[Variable],
     symbols: &Symbols,
@@ -46,7 +46,7 @@ pub(super) fn emit_bound_parameters(
     given.filter(|(variable, _)| inputs.binary_search(variable).is_ok()).map(binds).collect()
 }
 
-/// Binds all states at once, because reading them on first use misleads auto-vectorisation.
+/// Binds all states first, because code that reads them at their first use is vectorised worse.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()

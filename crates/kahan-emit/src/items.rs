@@ -12,8 +12,8 @@ use super::Context;
 use super::header::{RustHeader, has_docs};
 use super::lifted;
 
-/// Returns an identifier of the user. The name `_` is replaced, because the front end has reported
-/// it.
+/// Returns a name from the block as an identifier. A name that is none, such as `_`, has already
+/// been reported as a mistake, and is replaced.
 pub(super) fn identifier(name: &str, span: Span) -> Ident {
     match syn::parse_str::<Ident>(name) {
         Ok(_) => Ident::new(name, span),
@@ -64,8 +64,8 @@ impl<'a> Type<'a> {
         self.has_parameters().then(|| quote!(<#scalar>))
     }
 
-    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. The function
-    /// `formulas` is called with `true` if the user's documentation comes first.
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. The argument of
+    /// `formulas` says whether the user has written documentation, which comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();

@@ -111,8 +111,8 @@ fn read_block(input: &FlatTokens) -> ParsedBlock {
 }
 
 /// Expands the block in a file, like `include_kahan!("FILE")`. `file` is the literal, and `beside`
-/// is the source file that contains the literal. The compiler reads the block again after the file
-/// has changed.
+/// is the source file that contains the literal. A change of the file makes the compiler expand the
+/// block again.
 ///
 /// Mistakes become one `compile_error!` at the literal, with a caret under each position.
 #[must_use]
@@ -178,7 +178,7 @@ fn emit(core: &TokenStream, block: ParsedBlock, input: &FlatTokens) -> TokenStre
 }
 
 /// Emits the errors of a block, and a stand-in type whose methods return 0. If the states are
-/// unknown, the stand-in is the header's type or nothing.
+/// unknown, the type has no methods, and a block without a header has no type.
 fn emit_broken(
     core: &TokenStream,
     broken: &Broken,
@@ -197,7 +197,7 @@ fn emit_broken(
         };
     }
     if header.is_none() {
-        // A single `compile_error!` is valid both as an item and as an expression.
+        // A single `compile_error!` is an item and an expression, but several need a block.
         return if diagnostics.len() <= 1 {
             errors
         } else {

@@ -1,4 +1,4 @@
-//! Turns arguments into a field, a `Study`. A [`UsageError`] names the option to change.
+//! Turns arguments into a [`Study`] of a field. A [`UsageError`] names the option to change.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
@@ -13,13 +13,13 @@ impl Source {
         self.study_at(None)
     }
 
-    /// Returns the field with the given parameters. A lift is chosen along the orbit of the point
-    /// `at`.
+    /// Returns the field with the given parameters. If the field must be lifted to a quadratic one,
+    /// the lift is chosen along the orbit of the point `at`.
     pub(crate) fn study_at(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.study_of(self.subject()?, at, &[])
     }
 
-    /// Returns the field as `study_at` does; reports false claims before missing parameter values.
+    /// Returns the field as `study_at` does, but refuses false claims. Parameters may lack values.
     pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.proved_over(at, &[])
     }
@@ -36,7 +36,7 @@ impl Source {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
-    /// Returns the field for display. Without an initial point, chooses the lift along some orbit.
+    /// Returns the field for display. Without a point `at`, a lift follows [`Study::shown_orbit`].
     pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }
@@ -75,7 +75,7 @@ impl Start {
         Ok((study, starts, self.step.half()?.ok_or(StudyError::MissingStep)?))
     }
 
-    /// Returns the field, the initial point, and ε. Refuses options that fix a quantity on an axis.
+    /// Returns the field, the initial point, and ε. Refuses options that set a quantity of `axes`.
     pub(crate) fn study_over(
         &self,
         axes: &[Axis],
@@ -84,8 +84,7 @@ impl Start {
         Ok((study, single_point(starts, self.at.as_deref())?, eps))
     }
 
-    /// Returns the field, the initial points, and ε. Refuses options that fix a quantity on an
-    /// axis.
+    /// Returns the field, the initial points, and ε. Refuses options that set a quantity of `axes`.
     pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), UsageError> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;

@@ -81,12 +81,12 @@ pub(crate) fn axis(name: &str, text: &str, option: &str) -> Result<Axis, UsageEr
     Ok(Axis { name: name.to_owned(), range })
 }
 
-/// Reads one formula of the index of a site; `option` names the text in reports.
+/// Reads a formula in the site index `i` of a chain. Reports call the text `option`.
 pub(super) fn formula(text: &str, known: &NamedConstants, option: &str) -> Result<Formula, UsageError> {
     formula::formula(text, known).map_err(|why| refused(&why, option))
 }
 
-/// Reads named formulas of the index of a site: `a = 1; b = i/n`.
+/// Reads named formulas in the site index `i` of a chain, such as `a = 1; b = i/n`.
 pub(super) fn formulas(
     text: &str,
     known: &NamedConstants,

@@ -2,7 +2,7 @@
 
 use crate::running::{answer, shell, text};
 
-/// The line with `verify` is not run here: `crates/kahan-paper/tests` proves the paper.
+/// Skips the suggested `kahan verify` line, whose claims `crates/kahan-paper/tests` proves.
 #[test]
 fn the_command_alone_shows_lines_that_run() {
     let told = answer(&[]);

@@ -135,7 +135,7 @@ fn what_is_fixed_is_kept_apart_from_what_is_generic() {
     assert_eq!(found["hilbert"], json!([4, 8, 12, 16]));
 }
 
-/// Integrals whose formulas fill a page are not claimed, such as those of Clebsch's system.
+/// Integrals whose formulas have 1000 characters or more are not claimed.
 #[test]
 fn the_further_systems_claim_as_many_integrals_as_are_found() {
     for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {
@@ -147,7 +147,7 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
         let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);
-        // A basis stands for integrals without a short formula.
+        // Coefficients of a basis are integrals without a short formula.
         let by_bases =
             found["bases"].as_array().into_iter().flatten().map(|basis| texts(&basis["integrals"]).len());
         let integrals = texts(&found["integrals"]);
@@ -181,7 +181,7 @@ fn what_is_found_is_printed_as_a_block_and_in_latex() {
     assert!(refusal(&["discover", "e6", "--out", "/nowhere/at/all"]).contains("cannot write"));
 }
 
-/// Kirchhoff's rigid body in a fluid has four integrals, three of which bases describe.
+/// Kirchhoff's rigid body in a fluid has four integrals. Three of them are coefficients of bases.
 #[test]
 fn bases_are_printed_in_text_and_in_latex() {
     let kirchhoff =

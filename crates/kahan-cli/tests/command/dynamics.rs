@@ -297,7 +297,7 @@ fn charts_show_what_each_orbit_does() {
     turned.sort_by(order);
     rows.sort_by(order);
     assert_eq!(rows, turned);
-    // A chart over one range shows the column of cells at x = 1, which --at gives.
+    // The chart over r alone has the cells at x = 1 of the table, because of `--at 1,0`.
     let column = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.csv"));
     let of_one: Vec<String> = rows
         .iter()
@@ -316,7 +316,7 @@ fn charts_show_what_each_orbit_does() {
     let escapes =
         cells(&chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
     assert!(escapes.iter().all(|[r, _, step]| step.is_some() == r.is_some_and(|r| r > 0.0)), "{escapes:?}");
-    // The cell of an escaped orbit is empty, and the legend counts it.
+    // The cell of an orbit that escapes is empty, and the legend counts these cells.
     let bound = |out: &str| {
         chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "lyapunov", "--escape", "1e3"], &file(out))
     };
@@ -412,7 +412,7 @@ fn charts_show_the_rows_of_a_file() {
         of(&["--over", "y", "--over", "p", "--where", "order=2"]),
         "y,p,log_sali\n0.1,1.0,0.0\n0.2,1.0,-4.0\n0.3,1.0,-2.0\n0.1,3.0,-6.0\n0.2,3.0,\n0.3,3.0,\n"
     );
-    // With ranges, a cell shows the mean of the numbers in it.
+    // If an axis is split into intervals, a cell shows the mean of the values in its interval.
     assert_eq!(
         of(&["--over", "y=0:0.6:/2", "--over", "p", "--column", "order"]),
         "y,p,order\n0.15,1.0,2.6666666666666665\n0.45,1.0,2.0\n0.15,3.0,2.0\n0.45,3.0,\n"

@@ -1,4 +1,4 @@
-//! Tests the cells in the answer of `kahan extremes`.
+//! Tests the table of `kahan extremes`, which counts wrong and flagged steps.
 
 use serde_json::Value;
 
@@ -11,7 +11,7 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
     let cells = object["cells"].as_array().expect("a list");
-    // For each of seven regimes there are seven cells. For large steps, elimination adds three.
+    // Seven regimes have seven pairs of tier and scalar. Large steps have three more, with `lu`.
     assert_eq!(cells.len(), 7 * 7 + 3);
     let of_lu = |cell: &&Value| cell["tier"] == "lu";
     assert!(cells.iter().filter(of_lu).all(|cell| cell["regime"] == "large steps"));
@@ -27,7 +27,7 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     }
 }
 
-/// The interpreted text of E3 computes the same bits as the compiled E3, so the cells are equal.
+/// E3 as text and the built-in E3 run in the same interpreter, so all results are equal.
 #[test]
 fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     let cells = |arguments: &[&str]| {
@@ -40,7 +40,7 @@ fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     let read = cells(&field);
     assert_eq!(read, cells(&["extremes", "e3"]));
     assert!(read.as_array().is_some_and(|cells| cells.iter().any(|cell| cell["silently_wrong"] != 0)));
-    // The parameter mu is random and also a divisor, and 1/3 is not a float.
+    // This field divides by a random parameter, and its constant 1/3 must be rounded.
     cells(&["extremes", "--field", "xdot = x*y/mu + 1/3; ydot = mu - x^2;"]);
 }
 
@@ -74,16 +74,16 @@ fn every_field_of_odd_temper_is_judged() {
     let cells = object["cells"].as_array().expect("a list");
     let stable = cells.iter().filter(|cell| cell["tier"] == "stable");
     let judged: u64 = stable.map(|cell| cell["trials"].as_u64().expect("a count")).sum();
-    // For each of three number types, a field has 24 special inputs besides its trials. The
-    // twentieth field has ten times as many trials.
+    // For each of three number types, E3 has 8 trials and 24 special inputs. Nineteen odd fields
+    // have 4 trials and 24 inputs, and the twentieth has 40 trials and 24 inputs.
     assert_eq!(judged, 3 * (8 + 24 + 19 * (4 + 24) + (40 + 24)));
     let broken = object["broken"].as_array().expect("a list");
     assert_eq!(output.status.code(), Some(i32::from(!broken.is_empty())));
     assert!(broken.iter().all(|field| field["text"].as_str().is_some_and(|text| text.contains("dot = "))));
 }
 
-/// For h = ±1 the leading terms of det A cancel. Two steps of this sample were once flagged without
-/// justification.
+/// For h = ±1 the leading terms of det A cancel, where A is the matrix of a step. `try_step` once
+/// refused two of these steps without justification.
 #[test]
 fn a_field_whose_leading_terms_cancel_is_not_flagged() {
     let field = "xdot = h*y - x + y*z; ydot = h*x - y - x*z; zdot = -z + x*y;";

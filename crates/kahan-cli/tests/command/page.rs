@@ -1,4 +1,4 @@
-//! Tests that `kahan page` writes a self-contained page whose commands make its figures again.
+//! Tests that `kahan page` writes a self-contained page with commands that reproduce its figures.
 
 use std::fs;
 use std::path::Path;
@@ -107,7 +107,7 @@ fn caption<'a>(page: &'a str, id: &str) -> &'a str {
 #[test]
 fn what_is_found_is_followed_and_a_section_says_what_is_seen() {
     let folder = tempfile::tempdir().expect("a folder");
-    // Both fields have two integrals that they do not claim, so each orbit runs along a curve.
+    // Both fields have three variables and two integrals without a claim, so orbits are curves.
     let field = "xdot = h*y - nu*x + y*z; ydot = h*x - nu*y - x*z; zdot = -nu*z + x*y;";
     for arguments in [
         &["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;"][..],

@@ -32,7 +32,7 @@ fn multipliers_of_a_linear_field_are_those_of_the_formula() {
         assert!((re - expected).abs() < 1e-14 && im == 0.0, "{multiplier}");
     }
     assert_eq!((&found["stability"], &found["family"]), (&"saddle".into(), &0.into()));
-    // The characteristic polynomial is (z − 3/2)(z − 9/11).
+    // The multipliers are the roots of the polynomial (z − 3/2)(z − 9/11).
     let exact = serde_json::json!(
         { "points": [["0", "0"]], "polynomial": "27/22 - 51/22*z + z^2", "stability": "saddle" }
     );
@@ -109,7 +109,7 @@ const HOPF: &str = "Hopf point, a pair of eigenvalues of f' goes through the ima
 #[test]
 fn steady_states_keep_the_totals_of_their_start() {
     let sirs = ["periodic", "--field", "sdot = -2*s*i + r/2; idot = 2*s*i - i; rdot = i - r/2;", "--json"];
-    // In the steady state, s = 1/2, i = r/2, and s + i + r is that of the start.
+    // In the steady state, s = 1/2 and i = r/2. The sum s + i + r is the same as at the start.
     for (start, state) in [
         ("0.5,0.2,0.3", ["1/2", "1/6", "1/3"]),
         ("1,0.5,0.5", ["1/2", "1/2", "1"]),
@@ -188,7 +188,8 @@ fn what_is_no_cycle_and_what_does_not_fit_is_said() {
     assert!(answer(&over).contains("neutral"));
 }
 
-/// For period 29, the sum of the multipliers is 2 + 1.5e-10. Rounding errors are about 1e-5.
+/// For the cycle of period 29, the sum of the multipliers is 2 + 1.5e-10 with an error of about
+/// 1e-5, so the cycle counts as neutral.
 #[test]
 fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
     let cycle = |eps: &str, at: &str, period: &str| {

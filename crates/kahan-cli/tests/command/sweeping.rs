@@ -7,8 +7,8 @@ use std::process::{Command, Output};
 
 use crate::running::text;
 
-/// Runs the command from a folder without other programs. The folder holds a link, because a fresh
-/// copy may be refused as busy.
+/// Runs the command from the folder `programs`. A link is preferred to a copy, because Linux may
+/// refuse to run a file that was just written.
 fn sweep(programs: &Path, arguments: &[&str]) -> Output {
     let copy = programs.join("kahan");
     let command = env!("CARGO_BIN_EXE_kahan");

@@ -99,7 +99,7 @@ fn no_claim_of_a_field_of_ones_own_survives_every_mutation() {
     assert_eq!(failed(0), "integral H = x^3 + y^2;");
     assert!(failed(3).ends_with(" when a = 0;"), "{}", failed(3));
     assert!(failed(2) != "integral Z = 2*z;" && failed(4) != "density one = 2;");
-    // The claims are disproved; they are not refused because of unknown names.
+    // The changed claims use only known names, so `verify` can read and disprove them.
     for (k, original) in [(0, "integral H = x^2 + y^2;"), (2, "integral Z = z;")] {
         let said = text(&kahan(&["verify", "--field", &field.replace(original, failed(k))]).stderr);
         assert!(said.contains("claims failed"), "{}: {said}", failed(k));

@@ -136,7 +136,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Writes only those decimals of a value that an error of this size does not change.
+/// Rounds the value to the decimal place of the first nonzero digit of `error`.
 fn known_digits(value: f64, error: f64) -> String {
     let places = -libm::log10(error).floor();
     if !(value.is_finite() && (..=8.0).contains(&places)) {

@@ -1,7 +1,7 @@
 //! Sentences about Poincaré sections.
 
-/// Says how many sign changes of `plane` are jumps instead of crossings. Returns `None` if there
-/// are none.
+/// Says how many sign changes of the formula `plane` along an orbit are jumps instead of zeros.
+/// Returns `None` if there are none.
 #[must_use]
 pub fn jumps(plane: &str, jumps: u64) -> Option<String> {
     let count = match jumps {

@@ -1,4 +1,4 @@
-//! Shows integrator settings with their prices and errors.
+//! Shows integrator settings with their errors and their computing time per unit of simulated time.
 
 use kahan_study::trade::{Choice, Measured, Traded};
 use maud::{Markup, html};

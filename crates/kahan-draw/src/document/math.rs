@@ -32,7 +32,7 @@ pub fn displays(formulas: &[String], width: usize) -> Markup {
     html! { @for formula in formulas { (display(formula, width)) } }
 }
 
-/// Converts LaTeX to MathML. LaTeX that cannot be converted is returned in the class `unset`.
+/// Converts LaTeX to MathML. If that fails, returns the LaTeX in an element of the class `unset`.
 fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
     let storage = Storage::new();
     let events: Result<Vec<Event<'_>>, _> = Parser::new(latex, &storage).collect();

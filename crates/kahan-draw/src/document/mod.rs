@@ -32,7 +32,7 @@ pub fn style_sheet() -> String {
     [&variables(), include_str!("style.css"), &style(Theme::Viewer)].concat()
 }
 
-/// Returns a page. A link at the top leads to the main part, which is given by anchor and name.
+/// Returns a page. A link "Skip to `main`" at its top leads to the element with the id `anchor`.
 pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
     let document = html! {
         (DOCTYPE)

@@ -83,7 +83,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     Some((format!("{whole}{point}{kept}"), whole.len() + 1 + decimals.len()))
 }
 
-/// Rewrites digits after `a` or a Greek name as an index.
+/// Writes a Greek name as its letter, and digits after it or after `a` as an index: `alpha1` is α₁.
 fn word(word: &str) -> String {
     let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let letter = match stem {

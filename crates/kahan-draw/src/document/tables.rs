@@ -2,8 +2,8 @@
 
 use maud::{Markup, Render, html};
 
-/// The rows of a table. The first row holds headings. In every other row, the first cell is the
-/// heading.
+/// The rows of a table. The first row holds the headings of the columns. The first cell of every
+/// other row is the heading of this row.
 pub type Rows = Vec<Vec<String>>;
 
 /// A table that shows an answer or a part of it. Text output omits the caption.

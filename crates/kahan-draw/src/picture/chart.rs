@@ -23,7 +23,7 @@ pub struct Chart {
     pub is_logarithm: bool,
     /// Whether some values are lower bounds.
     pub is_lower_bound: bool,
-    /// For each cell, how its orbit ended and after how many steps. The list is empty for rows of a
+    /// For each cell, how its orbit ended and after how many steps. Empty if the values are from a
     /// file.
     pub ended: Vec<(String, i64)>,
     steps: Option<u64>,
@@ -36,9 +36,9 @@ fn logarithm(value: f64) -> f64 {
 
 impl Chart {
     /// Charts one column of an [`Observe`](kahan_study::Observe) over one or two ranges. The last
-    /// axis of the question becomes the abscissa. Cells of orbits that end early are empty. For the
-    /// column `escape`, cells of complete orbits are empty. Panics if the question is of another
-    /// kind, or if an axis is not a range.
+    /// range becomes the abscissa. The cell of an orbit that ends early is empty. In the column
+    /// `escape`, the cell of an orbit that does not escape is empty. Panics if `asked` holds
+    /// another question, or an axis that is not a range.
     #[must_use]
     pub fn of(asked: &Over, found: &OverFound, shade: &ColourColumn) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };
@@ -76,7 +76,7 @@ impl Chart {
         if Self::is_logarithmic(column) { logarithm } else { |value| value }
     }
 
-    /// Charts a column of a file on its [scale](Chart::scale).
+    /// Charts a column of a file. Its `values` are already transformed by [`scale`](Chart::scale).
     #[must_use]
     pub fn of_column(name: String, axes: Vec<Axis>, column: String, values: Vec<f64>) -> Self {
         let is_logarithm = Self::is_logarithmic(&column);
@@ -96,7 +96,7 @@ impl Chart {
         if self.is_lower_bound { format!("{quantity}, at least") } else { quantity }
     }
 
-    /// Describes the ranges of the axes. Ranges of grids end at the outer edges of cells.
+    /// Describes the ranges of the axes. Two ranges extend to the outer edges of the cells.
     fn description(&self) -> String {
         let through = |axis: &Axis| {
             let ends = if self.axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };

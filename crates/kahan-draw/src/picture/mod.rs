@@ -1,6 +1,6 @@
 //! Pictures of answers.
 //!
-//! The input consists of answers, or of rows of orbits, and of options for the picture.
+//! The input is an answer or the rows of orbits, and options for the picture.
 
 mod chart;
 mod heights;

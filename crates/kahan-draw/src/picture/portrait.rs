@@ -23,7 +23,7 @@ pub enum Coordinate {
         text: String,
         /// The compiled formula.
         formula: Formula,
-        /// The index of `t` among the formula's arguments. `None` if `t` is one of the columns.
+        /// The index of `t` among the formula's arguments, if the field depends on the time t.
         time: Option<usize>,
     },
 }

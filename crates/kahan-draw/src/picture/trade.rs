@@ -1,5 +1,5 @@
-//! The work–precision diagram of price against error. Lines join settings of one order in double or
-//! double-double. Other settings are small dots.
+//! The diagram of the errors of settings against their computing time. A line joins the settings of
+//! one order in `f64` or `Dd`. Compensated settings and settings in `f32` are small dots.
 
 use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};

@@ -53,7 +53,7 @@ impl Drawing {
         let Canvas { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // Devices for print have a font whose letters are as wide as those of Helvetica and Arial.
+        // Every printer has Helvetica, Arial, or a font with letters of the same widths.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {

@@ -32,7 +32,7 @@ pub struct Grid {
     pub note: String,
 }
 
-/// The number of colours in the palette. The index after the last colour means transparent.
+/// The number of colours in the palette. A cell with the index `COLOURS` is transparent.
 const COLOURS: usize = 255;
 const COLUMN: [f64; 2] = [12.0, 26.0];
 const NAME: f64 = 28.0;

@@ -55,7 +55,7 @@ enum FontStyle {
 }
 
 impl FontStyle {
-    /// Returns how far the text lies below the baseline, as a multiple of the font size.
+    /// Returns how far characters of this style are lowered, as a multiple of the font size.
     fn drop(self) -> f64 {
         match self {
             FontStyle::Raised => -0.35,
@@ -105,7 +105,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
             }
         };
     }
-    // Programs disagree about the width of a label with several parts, so its start is given.
+    // Programs disagree about the width of a label with several parts, so its start is computed.
     let before = match anchor {
         "start" => 0.0,
         "middle" => 0.5,

@@ -1,6 +1,6 @@
-//! Axes with round ticks. If all values have equal leading digits, a number is subtracted from
-//! them. Very large or small values are divided by a power of ten. The name of the axis states the
-//! number and the power.
+//! Axes with round ticks. If all values have equal leading digits, the axis subtracts a number from
+//! the values. It divides very large or small values by a power of ten. The name of the axis states
+//! both, as in `(x − 2.5) / 10⁻⁸`.
 
 use super::script::superscript;
 
@@ -132,7 +132,7 @@ impl NumberLine {
             steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
-        // The sort is stable, so the coarsest step that gives at least four ticks comes first.
+        // Candidates with four or more ticks come first, in the order of `steps`.
         marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
         let chosen = marked.iter().position(|ticks| fits(ticks));
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))
@@ -142,8 +142,8 @@ impl NumberLine {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
         let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
-        // Limited decimals remove rounding errors such as that of 0.1 + 0.2. A step of 0.25 needs
-        // one more decimal.
+        // Rounding to a few decimals hides errors such as in 0.1 + 0.2. A step of 0.25 needs one
+        // decimal more than a step of 0.2.
         let size = (-libm::log10(step * scale * 1.001).floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
             let digits = step * scale * 10_f64.powi(decimals as i32);

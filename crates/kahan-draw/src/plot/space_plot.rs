@@ -43,12 +43,12 @@ const AZIMUTH: f64 = 0.62;
 const ELEVATION: f64 = 0.5;
 /// The number of depth layers. Each layer has one line width.
 const DEPTH_LAYERS: usize = 24;
-/// The ratio of the longest to the shortest edge beyond which the box is stretched.
+/// If the longest edge is more than this many times the shortest one, short edges are stretched.
 const STRETCH_RATIO: f64 = 4.0;
 const MAX_STRETCHED_WIDTH: f64 = 2.0;
 
-/// Rotates a point into the directions right, up and towards the eye. The eye is in front of the
-/// box, slightly to the right and above.
+/// Returns the coordinates of a point to the right, upwards, and towards the eye. The eye is in
+/// front of the box, slightly to the right and above.
 fn rotated([x, y, z]: [f64; 3]) -> [f64; 3] {
     let (right, back) =
         (x * libm::cos(AZIMUTH) - y * libm::sin(AZIMUTH), x * libm::sin(AZIMUTH) + y * libm::cos(AZIMUTH));
@@ -188,7 +188,7 @@ impl SpacePlot {
         if here.is_empty() {
             return html! {};
         }
-        // Each piece of a line extends to the next layer, so lines have no gaps.
+        // Each piece of a line includes the first point in the next layer, so lines have no gaps.
         let lines = || {
             let mut path = String::new();
             let mut from = 0;

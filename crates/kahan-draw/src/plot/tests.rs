@@ -150,7 +150,7 @@ fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
     let plot = Plot { sheet: Canvas::new(Canvas::COLUMN, Theme::Paper), ..plot };
     let svg = plot.drawing().svg();
     assert!(svg.contains("width=\"86.02mm\"") && !svg.contains("<style"), "{svg}");
-    // A unit of the view box is 0.01 inch, so 12 units are 8.6 points.
+    // A unit of the drawing is 0.01 inch: 86.02 mm are 338.67 units, and 12 units are 8.6 points.
     assert!((plot.sheet.view_box.0 - 338.67).abs() < 0.01 && svg.contains("font-size=\"12\""), "{svg}");
     assert!(svg.contains("fill=\"#ffffff\"") && svg.contains("stroke-width=\"1.2\""), "{svg}");
     let inked = svg.split("class=\"ticks\" fill=\"").nth(1).expect("ticks");

@@ -1,8 +1,8 @@
 //! The solution x(t) of ẋ = f(x), a reference for orbits of the map.
 //!
-//! The solution is a piecewise polynomial of Taylor series of high order ([`series`]). The pieces
-//! are short where the motion is fast or near a pole. Kahan's map is not used, so agreement with an
-//! orbit is independent evidence. Errors are not bounded rigorously.
+//! The pieces of the solution are Taylor polynomials of high degree ([`series`]). They are short
+//! where the motion is fast or near a pole. Kahan's map is not used, so agreement with an orbit is
+//! independent evidence. Errors are not bounded rigorously.
 
 mod piece;
 mod series;
@@ -39,7 +39,7 @@ pub(crate) use series::SeriesScalar;
 pub struct Flow<T> {
     pieces: Vec<TaylorPiece<T>>,
     end: f64,
-    /// The number of leading variables that distances and the scale include.
+    /// Distances and the scale use this number of variables, counted from the first.
     measured: usize,
     scale: f64,
     slope: f64,
@@ -76,9 +76,9 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     /// The degree of the polynomial pieces.
     pub const DEGREE: usize = T::TERMS;
 
-    /// Integrates from `start` to the time `end` > 0, and further by `beyond`·`end` for orbits that
-    /// overshoot. Calls `go_on` before each piece with the number of pieces so far. The flow ends
-    /// early if the solution escapes to infinity after `end`.
+    /// Integrates from `start` to the time `end` > 0, and on to `end`·(1 + `beyond`), because the
+    /// last step of an orbit may pass `end`. Calls `go_on` before each piece with the number of
+    /// pieces so far. The flow ends early if the solution escapes to infinity after `end`.
     ///
     /// A piece costs about 90 evaluations of the bilinear form in `f64`, and 240 in [`Dd`]. The
     /// length of a piece is 0.14 (in `Dd` 0.09) of the distance to the nearest singularity in
@@ -110,10 +110,10 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             let series = expansion.at(x, rate);
             rate = 1.0 / series.radius;
             flow.pieces.push(TaylorPiece::of(&series, t));
-            // Steps are of type `f64`, so that sums of many steps are exact in double-double.
+            // Lengths of steps are of type `f64`, so that their sums are exact in double-double.
             let step = series.reach().min(2.0 * last);
-            // Near a pole each step is a fixed fraction of the remaining time, so very short steps
-            // show that the solution escapes.
+            // Near a pole each step is a fixed fraction of the time left until the pole, so very
+            // short steps show that the solution escapes.
             if !(x.iter().all(|entry| entry.approximate().is_finite())
                 && step > 1e-9 * (now + *first.get_or_insert(step)))
             {
@@ -166,7 +166,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         self.scale
     }
 
-    /// Returns max ‖f′(x(t))‖∞. This number times ε measures how coarse a step is.
+    /// Returns max ‖f′(x(t))‖∞, the inverse of the shortest time scale along the solution.
     pub fn slope(&self) -> f64 {
         self.slope
     }
@@ -218,7 +218,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 }
 
-/// Computes distances from a flow at increasing times without a search for pieces.
+/// Computes distances from a flow at increasing times. Later times use the same or a later piece.
 #[derive(Debug)]
 pub(crate) struct FlowDistance<'a, T, const N: usize> {
     flow: &'a Flow<T>,

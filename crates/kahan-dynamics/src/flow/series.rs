@@ -53,8 +53,8 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
         Self { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
     }
 
-    /// Expands the solution at x₀. A few trials correct `rate`, a guess of 1/ρ for the radius of
-    /// convergence ρ. The cost is about TERMS²/4 evaluations of the bilinear form.
+    /// Expands the solution at `start`. The guess `rate` of 1/ρ, for the radius of convergence ρ,
+    /// is corrected by a few trials. The cost is about TERMS²/4 evaluations of the bilinear form.
     pub(super) fn at(&self, start: SVector<T, N>, rate: f64) -> Series<T, N> {
         const NEAR: f64 = (1_u64 << 16) as f64;
         const TRIALS: usize = 16;
@@ -65,7 +65,7 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
             if (1.0 / NEAR..=NEAR).contains(&size) || norm(&series.coefficients[1]) == 0.0 {
                 break;
             }
-            // Overflow or underflow only shows that the rate is too small or too large.
+            // If coefficients underflow, the rate is too large. If they overflow, it is too small.
             rate = power_of_two(match size {
                 size if size == f64::INFINITY => rate / NEAR,
                 size if size > 0.0 => rate / size,
@@ -98,8 +98,8 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
             if k % 2 == 0 {
                 sum += self.field.bilinear(&series[k / 2], &series[k / 2]);
             }
-            // The factor `unit` is a power of 2 that may be extreme, so it multiplies only the
-            // finished sum.
+            // The power of two `unit` may be so extreme that single terms would overflow, so only
+            // the finished sum is multiplied.
             let divisor = T::from((k + 1) as f64);
             series.push(sum.map(|entry| entry * unit / divisor));
         }
@@ -122,13 +122,12 @@ impl<T: SeriesScalar, const N: usize> Series<T, N> {
     }
 }
 
-/// Estimates the radius of convergence ρ from the last two terms by |xₖ| ~ |x₀|ρ⁻ᵏ (Jorba and Zou,
-/// Exp. Math. 14 (2005) 99). Each component has its own estimate, because a small component may
-/// become important.
+/// Estimates the radius of convergence ρ from the last two coefficients (Jorba and Zou, Exp. Math.
+/// 14 (2005) 99). Each component has its own estimate, because a small one may grow.
 ///
-/// Let p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), and let x_K be the last coefficient.
-/// The estimate is h/p for the largest h with |x_K|h^K ≤ p^K |xₖ|hᵏ for some k. Then the omitted
-/// part of a step h is about p^K of the component's size or less.
+/// Let p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), and let x₀, …, x_K be the coefficients
+/// of a component. The estimate is h/p for the largest h with |x_K|h^K ≤ p^K |xₖ|hᵏ for some k ≤
+/// K/2. A step h then omits terms of about p^K times the component's size or less.
 fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {

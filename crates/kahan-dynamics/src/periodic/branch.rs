@@ -58,8 +58,8 @@ pub struct Branch {
     pub is_cut: bool,
 }
 
-/// A position on the branch: the points relative to the first cycle's size, then the parameter
-/// relative to the range.
+/// A position on the branch: all points divided by the size of the first cycle, then the fraction
+/// of the parameter's range that was passed.
 pub(super) type BranchPosition = DVector<f64>;
 
 /// Follows a cycle from the parameter value `from` towards `to`, until the parameter leaves the
@@ -127,7 +127,7 @@ pub(super) fn follow(
     if add(&mut branch, &place, BranchPointKind::Asked(0)) {
         return branch;
     }
-    // Far from the origin points move faster than the parameter, so steps may be longer there.
+    // Far from the origin points move faster than the parameter, so steps grow with `place.norm()`.
     let longest = |place: &BranchPosition| place.norm().max(1.0) / steps as f64;
     let (mut stride, mut strides) = (longest(&place), 0);
     let mut before = arc.classified(&place).cycle;
@@ -190,8 +190,8 @@ fn integers_between([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     if from < to { passed.collect() } else { passed.rev().collect() }
 }
 
-/// Returns the scale of lengths on a branch: the size of the first cycle. If that is 0, returns how
-/// far the points move with the parameter.
+/// Returns the scale of lengths on a branch: the size of the first cycle. If that is 0, returns
+/// about how far its points move while the parameter crosses its range.
 fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64 {
     if cycle.size > 0.0 {
         return cycle.size;
@@ -209,7 +209,8 @@ pub(super) trait Curve {
     /// Returns the unit tangent nearest to the direction `near`.
     fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition>;
 
-    /// Projects `near` onto the curve by Newton's method, perpendicularly to `across`.
+    /// Finds the point of the curve in the hyperplane through `near` orthogonal to `across`, by
+    /// Newton's method.
     fn corrected(&self, near: BranchPosition, across: &BranchPosition) -> Option<BranchPosition>;
 
     /// Takes a predictor step along the tangent, then corrects it.
@@ -293,8 +294,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for CycleCurve<F> {
             square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm_solution(square, &gaps.push(0.0))?;
             if gaps.amax() <= RESIDUAL_TOLERANCE * next.amax().max(1.0) {
-                // Near a double multiplier 1 the cycle's error is about the square root of `gaps`,
-                // so one more step is made if it helps.
+                // Near a double multiplier 1, the error of the cycle is about the square root of
+                // the residual `gaps`, so one more step is made if it reduces the residual.
                 let is_nearer = gaps.amax() > NEGLIGIBLE_RESIDUAL
                     && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

@@ -58,8 +58,7 @@ pub struct ChangePoint {
     pub parameter: f64,
 }
 
-/// One continuation step: the positions on the solution curve up to the distance `length` from
-/// `place`.
+/// One continuation step: the piece of the solution curve from `place` to the distance `length`.
 pub(super) struct BranchSegment<'a, C> {
     pub(super) arc: &'a C,
     pub(super) place: &'a BranchPosition,
@@ -100,8 +99,8 @@ impl SegmentPoint {
 }
 
 impl<C: Curve> BranchSegment<'_, C> {
-    /// Returns the bifurcations between the first cycle and the last, with distances along the
-    /// step.
+    /// Returns the bifurcations within the step from the cycle `first` to the cycle `last`, each
+    /// with its distance along the step.
     pub(super) fn changes(
         &self,
         first: &PeriodicPoint,
@@ -112,7 +111,7 @@ impl<C: Curve> BranchSegment<'_, C> {
             SegmentPoint::new(self.length, tangent, last.clone()),
         ];
         let mut turns = Vec::new();
-        // One bifurcation takes about 40 bisections. The bound ends searches among rounding errors.
+        // One bifurcation takes about 40 bisections. The limit ends searches in rounding noise.
         let mut halvings = 400;
         self.search([&ends[0], &ends[1]], &mut halvings, &mut turns);
         turns
@@ -151,8 +150,8 @@ impl<C: Curve> BranchSegment<'_, C> {
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n((high.at, ChangePoint { change, parameter }), times.unsigned_abs()));
         };
-        // Two real multipliers outside the unit circle may become a complex pair. Neither then
-        // crosses the circle.
+        // Real multipliers outside the unit circle may become complex pairs, or the reverse. These
+        // multipliers do not cross the circle, so their number `met` is subtracted.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
         tell(self.turning_back(there.as_ref()), isize::from(turns_back));
         tell(BranchChange::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
@@ -165,7 +164,7 @@ impl<C: Curve> BranchSegment<'_, C> {
         self.arc.step(self.place, self.tangent, along)
     }
 
-    /// Finds the position with this relative parameter value between two positions.
+    /// Finds the position between `ends` at which the scaled parameter is `value`.
     pub(super) fn position_at(
         &self,
         value: f64,
@@ -214,20 +213,21 @@ impl<C: Curve> BranchSegment<'_, C> {
     fn crossing(&self, change: BranchChange, [low, high]: [&SegmentPoint; 2]) -> (f64, ChangePoint) {
         let (inner, outer) =
             if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
-        // The smallest multiplier outside of the circle is the one that crosses.
+        // Multipliers are sorted by decreasing modulus. The last one outside the circle crosses it.
         let index = outer.cycle.outside() - 1;
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
         let size_at = |there: &BranchPosition| size_of(&self.arc.classified(there).cycle);
         let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
-        // Within the error margin, the multiplier may have crossed just before this interval.
+        // A multiplier on the circle at `inner`, up to its error margin, may have crossed it
+        // before.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
         let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
             (inner.at, 1.0)
         } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
             (behind, 1.0)
         } else {
-            // Here the multiplier starts on the circle, so the search is for the point where it
-            // exceeds the error margin.
+            // The multiplier is on the circle before `inner` too, so the search is for the point
+            // where it leaves the error margin.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
         let (at, parameter) = self.bisect([begin, outer.at], |there| size_at(there) <= bound);

@@ -1,6 +1,7 @@
 //! Newton's equations of a long cycle, condensed to as many unknowns as one point has.
 //!
-//! Let xᵢ be the points of a cycle of a map φ, and e further unknowns such as ε. The equations
+//! Let xᵢ be the points of a cycle of a map φ, and e a vector of further unknowns such as ε. The
+//! equations for the corrections dxᵢ and de,
 //!
 //! dxᵢ₊₁ = Aᵢ dxᵢ + Bᵢ de + gᵢ
 //!
@@ -17,8 +18,8 @@ use super::Differentiable;
 use super::unit::ScaledMap;
 
 pub(super) struct CondensedEquations {
-    /// The matrices that map (dx₀, de, 1) to dxᵢ. Here dxᵢ are corrections of the points, and de of
-    /// the further unknowns.
+    /// The matrices that map (dx₀, de, 1) to dxᵢ. Here dxᵢ is the correction of point i, and de is
+    /// the correction of the further unknowns.
     affine: Vec<DMatrix<f64>>,
     /// The condition dx_N − dx₀ = 0 on these corrections, as a matrix that acts on (dx₀, de, 1).
     closing: DMatrix<f64>,
@@ -27,7 +28,7 @@ pub(super) struct CondensedEquations {
 /// The corrections dxᵢ of all points, then those of the further unknowns e.
 pub(super) struct Solution {
     pub(super) step: DVector<f64>,
-    /// The ratio of the smallest to the largest singular value, or 0 for a singular system.
+    /// The smallest singular value of the condensed system divided by the largest, 0 if singular.
     pub(super) rank: f64,
 }
 
@@ -98,7 +99,7 @@ impl CondensedEquations {
     }
 }
 
-/// Returns the unit vector along the cycle by central differences, followed by `others` zeros.
+/// Returns a unit vector that shifts all points along the cycle, with `others` zeros at the end.
 pub(super) fn phase_direction(points: &[f64], n: usize, others: usize) -> DVector<f64> {
     let len = points.len();
     let entry = |k: usize| if k < len { points[(k + n) % len] - points[(k + len - n) % len] } else { 0.0 };

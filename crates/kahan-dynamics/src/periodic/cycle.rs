@@ -23,7 +23,7 @@ pub struct PeriodicPoint {
     pub family: usize,
     /// The scale for comparing lengths: the largest coordinate of the points or of the start.
     pub(super) size: f64,
-    /// The distances of multipliers from the unit circle that rounding can explain.
+    /// A multiplier no farther from the unit circle than its entry here counts as on the circle.
     margins: Vec<f64>,
 }
 
@@ -64,7 +64,7 @@ pub enum NoPeriodicPoint {
         /// The largest component of |φ(xᵢ) − xᵢ₊₁| that remained, for the map φ and the points xᵢ.
         residual: f64,
     },
-    /// Cycles of the flow form a family, so the number of steps does not determine ε.
+    /// Cycles form a family with different periods, so a number of steps does not determine ε.
     Family,
     /// The search for a cycle of the flow ended at a steady state.
     Still,
@@ -127,8 +127,8 @@ impl PeriodicPoint {
         }
     }
 
-    /// Returns whether |μ| is treated as 1 for a multiplier μ because of its error bound, although
-    /// the printed digits say otherwise.
+    /// Returns whether some |μ| counts as 1 because of the error bound of the multiplier μ,
+    /// although the printed digits of |μ| differ from 1.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
         /// The least distance from 1 that shows in the printed digits.
@@ -207,7 +207,7 @@ impl Linearized {
     fn of(factors: &[DMatrix<f64>]) -> Self {
         let (derivative, error) = product(factors);
         if !derivative.iter().all(|entry| entry.is_finite()) {
-            // On NaN or infinity the decompositions would not terminate.
+            // With NaN or infinity the decompositions below would not terminate, and are skipped.
             let n = derivative.nrows();
             let multipliers = vec![Complex::new(f64::NAN, f64::NAN); n];
             return Linearized { multipliers, family: 0, margins: vec![f64::INFINITY; n] };
@@ -234,9 +234,9 @@ impl Linearized {
 
 /// Returns P = Jₚ…J₁ for the factors Jₖ, and a first-order bound on the norm of the error of P.
 ///
-/// The product Jₖ·Jₖ₋₁…J₁ of n×n matrices has the error (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖ with the unit
-/// roundoff u. The remaining factors increase this error by at most ‖Jₚ…Jₖ₊₁‖. The backward error
-/// of the eigenvalues adds 10 n u ‖P‖.
+/// For n×n matrices, the product Jₖ·(Jₖ₋₁…J₁) has an error of at most (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖
+/// with the unit roundoff u. The remaining factors multiply this error by at most ‖Jₚ…Jₖ₊₁‖. The
+/// backward error of the eigenvalues adds 10 n u ‖P‖.
 fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {
     const UNIT: f64 = f64::EPSILON / 2.0;
 
@@ -266,7 +266,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // Nearly equal eigenvalues are treated as if a rounding error separated them.
+    // A difference of eigenvalues below `least` becomes `least`, because sums are divided by it.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];

@@ -56,7 +56,7 @@ impl FlowCycle {
         self.cycle.points.len() == steps && (self.eps / eps - 1.0).abs() < NEAR
     }
 
-    /// Returns a cycle of a single round if this cycle goes several times around it.
+    /// If this cycle goes several times around a curve, returns a cycle that goes around once.
     fn single_round<M: Parametric>(self, map: &impl Fn(f64) -> M) -> Self {
         let steps = self.cycle.points.len();
         let dimension = self.cycle.points[0].len();
@@ -73,7 +73,7 @@ impl FlowCycle {
 }
 
 /// Returns whether the points go `rounds` times around a closed curve. Each point must lie near the
-/// parabola through three consecutive points one round later.
+/// parabola through three successive points of the next round.
 pub(super) fn goes_around(points: &[f64], dimension: usize, rounds: usize) -> bool {
     /// The tolerance relative to the largest second difference.
     const NEAR: f64 = 0.25;
@@ -181,7 +181,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
         const NEWTON_ITERATIONS: usize = 60;
-        /// Below this relative defect, one more Newton step reduces the defect to rounding errors.
+        /// If the residual relative to the cycle's size is below this, one more Newton step is the
+        /// last.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
@@ -218,7 +219,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         const FAMILY_RANK_RATIO: f64 = 1e-7;
         const NEARLY_FAMILY: f64 = 1e-4;
         const ONE: f64 = 1e-3;
-        /// Points that are closer together than this, relative to their size, are a steady state.
+        /// A curve shorter than about this, relative to the size of its points, is a steady state.
         const STEADY_STATE_SIZE: f64 = 1e-6;
 
         let map = self.map_at(&self.place);

@@ -90,7 +90,7 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowCycleCurve<F> {
         goes_around(Self::points(place), self.dimension(place), 2)
     }
 
-    /// Returns the square root of the sum of squared distances from the first point.
+    /// Returns √Σ|xᵢ − x₀|² over the points xᵢ, which measures the extent of the cycle.
     fn extent(&self, place: &BranchPosition) -> f64 {
         let (points, n) = (Self::points(place), self.dimension(place));
         (0..points.len()).map(|k| (points[k] - points[k % n]).powi(2)).sum::<f64>().sqrt()

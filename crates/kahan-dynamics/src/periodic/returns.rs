@@ -7,17 +7,16 @@ pub struct CloseReturn {
     pub at: usize,
     /// The number of steps until the return.
     pub steps: usize,
-    /// The distance from the orbit near the earlier point, perpendicular to the orbit and relative
-    /// to its extent.
+    /// The distance of the later point from the curve of the orbit near the earlier point. Each
+    /// coordinate is divided by its range on the orbit.
     pub distance: f64,
 }
 
-/// Finds returns of an orbit to earlier points after `least` to `most` steps, the closest and
-/// shortest first. Coordinates are scaled by their ranges on the orbit.
+/// Finds returns of an orbit to earlier points after `least` to `most` steps, and sorts close and
+/// short returns first. Each coordinate is divided by its range on the orbit.
 ///
-/// After a shorter return, a longer return is reported only if the point returns ten times closer.
-/// Otherwise two rounds of a cycle would also be reported. About 2000 points of the orbit are
-/// compared with `most` successors each.
+/// A later return to a point is reported only if it is ten times closer. Otherwise two rounds of a
+/// cycle would also be reported. About 2000 points are compared with `most` successors each.
 ///
 /// # Panics
 /// If the points differ in their number of coordinates.
@@ -26,9 +25,9 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     /// The number of starting points, up to a factor of two.
     const START_POINTS: usize = 1000;
     const RETURNS: usize = 24;
-    /// The relative radius of a neighbourhood that a return leaves and enters again.
+    /// An orbit must first leave a point by more than this, in scaled coordinates, to return to it.
     const NEIGHBOURHOOD_RADIUS: f64 = 0.1;
-    /// Distances below this are treated as equal, because they are interpolated.
+    /// Smaller distances count as equal, because the interpolation is not more accurate.
     const EQUAL_RETURN_DISTANCE: f64 = 1e-4;
 
     let Some(first) = orbit.first() else { return Vec::new() };
@@ -74,7 +73,7 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     returns
 }
 
-/// Returns the distance of a point from the parabola through three points, near the middle one.
+/// Returns the distance of `there`, a point near `x`, from the parabola through the three points.
 pub(super) fn distance_from_parabola([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
     let slope = |k: usize| 0.5 * (behind[k] - before[k]);
     let off = |k: usize, at: f64| {

@@ -86,7 +86,6 @@ fn maps_over_dual_numbers_know_how_they_depend_on_what_changes() {
     let over_eps = Roots { a: Dual::from_value(a) }.at(Dual::coordinate(eps, 0));
     let by_eps = (2.0 * a - 2.0 * x * next) / below;
     for (map, expected) in [(over_a, 2.0 * eps / below), (over_eps, by_eps)] {
-        // The bound allows a few roundings of each of three numbers.
         assert!((map.image(&[x])[0] - next).abs() < 1e-15);
         assert!((map.derivative(&[x])[(0, 0)] - (1.0 - 2.0 * eps * next) / below).abs() < 1e-15);
         assert!((map.by_parameter(&[x])[0] - expected).abs() < 1e-15);
@@ -247,7 +246,7 @@ fn a_cycle_at_0_is_as_near_to_it_as_its_start_is_large() {
 
 #[test]
 fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
-    // The fixed points of x̃ = x + a − x²/unit are multiples of `unit`, as all other lengths are.
+    // The map x̃ = x/2 + a − x²/unit has fixed points that scale with `unit`, if a does so too.
     struct Root(f64, f64);
 
     impl ByHand for Root {
@@ -522,7 +521,8 @@ fn a_branch_goes_far_in_few_strides() {
 
 #[test]
 fn a_planar_map_doubles_its_period_where_the_formula_says() {
-    // The fixed point satisfies μ² + 2axμ − b = 0. So μ = −1 for 2ax = 1 − b, or a = 3(1 − b)²/4.
+    // The multipliers μ of the fixed point x satisfy μ² + 2axμ − b = 0. One of them is −1 if 2ax =
+    // 1 − b, which holds for a = 3(1 − b)²/4.
     let start = periodic_point(&Henon(0.2, 0.3), &[0.9, 0.3], 1).unwrap();
     let branch = branch(|a| Henon(a, 0.3), &start, [0.2, 0.5], 3, |_| ControlFlow::Continue(()));
     assert!(has_turns(&branch, &[(BranchChange::ThroughMinusOne, 0.3675)], 1e-12), "{:?}", branch.turns);

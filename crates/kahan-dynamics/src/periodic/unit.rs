@@ -1,7 +1,7 @@
 //! A map in its own unit of length, so that tolerances do not depend on the caller's unit.
 //!
-//! Points are divided by a power of two near the size of a cycle, without rounding. The scaled
-//! cycle has a size of about 1, and is comparable with a scaled parameter.
+//! Points are divided by a power of two near the size of a cycle, without rounding. The size of the
+//! scaled cycle is about 1, like that of a parameter divided by its range.
 
 use kahan_core::nalgebra::DMatrix;
 
@@ -11,7 +11,7 @@ use super::{Differentiable, Parametric};
 pub(super) struct LengthUnit {
     /// The unit of length, a power of two, measured in the caller's unit.
     pub(super) length: f64,
-    /// The scale with which lengths are compared: 1, or 0 if the caller's size was 0 or not finite.
+    /// The size of the cycle in this unit: about 1, or 0 if the given size was 0 or not finite.
     pub(super) size: f64,
 }
 

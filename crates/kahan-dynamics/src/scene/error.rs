@@ -18,20 +18,18 @@ pub enum NoSetting {
         /// The index of the coordinate.
         index: usize,
     },
-    /// The solution escapes before the end of the scene, or two methods that compute it with 32
-    /// digits disagree.
+    /// The solution escapes before the end of the scene, or no orbit with 32 digits confirms it.
     Lost {
         /// The time of the escape, or the time until which an orbit stayed within a tenth of the
         /// trajectory's size.
         time: f64,
     },
-    /// The time span takes more than the 10⁶ steps that a choice may cost.
+    /// The solution cannot be followed to the end of the scene at a cost of at most 10⁶ steps.
     TooLong {
         /// The time that the computation reached.
         time: f64,
     },
-    /// No setting meets the tolerance, or the 10⁶ steps that a choice may cost do not suffice to
-    /// check one.
+    /// No setting meets the tolerance, or none could be checked at a cost of at most 10⁶ steps.
     OutOfReach {
         /// A tolerance that can probably be met.
         best: f64,

@@ -1,8 +1,8 @@
 //! The cheapest setting that preserves the map's own integrals.
 //!
-//! In exact arithmetic the map preserves its integrals at any suitable ε. One rounding of the state
-//! changes an integral by about u × condition, with the unit roundoff u. After n steps, the changes
-//! add up to √n times this (random walk). The choice is a scheme whose changes are small enough.
+//! In exact arithmetic the map preserves its integrals at every ε. Rounding a state changes an
+//! integral by about u·κ, with the unit roundoff u and the integral's condition number κ. These
+//! changes add up to about √n·u·κ after n steps (random walk), which must be within the tolerance.
 
 use kahan_core::nalgebra::SVector;
 
@@ -19,7 +19,7 @@ const ROUNDING_SAFETY_FACTOR: f64 = 2.0;
 const MOST_STEPS: f64 = 9e15;
 
 const PILOT_STEPS: f64 = 4096.0;
-/// The accepted ratio between the largest coordinates of an orbit and of a finer orbit.
+/// The largest coordinate of an orbit may be this many times that of the orbit with ε/4.
 const MAX_SIZE_RATIO: f64 = 2.0;
 const MAX_HALVINGS: i32 = 16;
 
@@ -49,7 +49,7 @@ where
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
             }
-            // With compensation, the increment is rounded instead of the point.
+            // With compensation, the rounded number is the increment, which is about 2ε·rate·‖x‖.
             let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
             let error = ROUNDING_SAFETY_FACTOR
                 * scene.condition

@@ -31,8 +31,8 @@ pub enum Need {
     /// coordinate.
     Trajectory,
     /// The orbit preserves the integrals. The error is the largest relative change of the map's own
-    /// integrals, which only rounding causes ([`Scene::condition`]). A composition has no integrals
-    /// of its own, so its error is the change of the flow's integrals.
+    /// integrals, which only rounding causes ([`Scene::condition`]). A composition does not
+    /// preserve these, so its error is the change of the flow's integrals.
     Integrals,
 }
 
@@ -111,10 +111,10 @@ impl Scene {
     ///
     /// # How
     /// For [`Need::Trajectory`], settings are run over the whole horizon and compared with the
-    /// [`Flow`](crate::Flow) at every step. The observed error of the chosen setting, including
-    /// rounding, is at most 0.85 of the tolerance. An orbit in [`Dd`](kahan_core::Dd) must agree
-    /// with the flow to a tenth of the tolerance. The choice is deterministic, and a second run has
-    /// the observed error. Other starts and later times are not covered.
+    /// [`Flow`](crate::Flow) at every step. The error of the chosen setting, including rounding, is
+    /// at most 0.85 of the tolerance. An orbit in [`Dd`](kahan_core::Dd) must agree with the flow
+    /// to a tenth of the tolerance. The choice is deterministic, and running the setting gives
+    /// exactly its error. Other starts and later times are not covered.
     ///
     /// For [`Need::Integrals`], only Kahan's map itself is considered. ε‖f′‖∞ is at most 1 at the
     /// start, and less if the first steps would otherwise become too large. The rounding errors of
@@ -122,8 +122,8 @@ impl Scene {
     ///
     /// # How good
     /// `cargo test --release -p kahan-study --test scenes -- --ignored` tests choices in random
-    /// scenes of chaotic, stiff and escaping fields. No choice may exceed its tolerance. The
-    /// package `kahan-bench-trade` times choices against all other settings.
+    /// scenes, whose orbits may be chaotic, stiff or escaping. No choice may exceed its tolerance.
+    /// The package `kahan-bench-trade` times choices against all other settings.
     ///
     /// # Cost
     /// A choice takes at most the time of 10⁶ steps of the map, and usually of some 10⁴ steps.

@@ -54,9 +54,9 @@ impl Precision {
 
     /// Returns an ε near `eps` in this precision.
     ///
-    /// For [`Need::Integrals`], ε is the nearest number with so few bits that powers of ε are exact
-    /// ([`nearest_short_eps`]), in `Dd` the nearest such `f64`. For [`Need::Trajectory`], ε is the
-    /// nearest representable number, because the steps must end at the given time.
+    /// For [`Need::Trajectory`], ε is the representable number nearest to `eps`, because the steps
+    /// must end at the given time. For [`Need::Integrals`], ε has so few bits that its powers are
+    /// exact ([`nearest_short_eps`]). In `Dd`, ε is also an `f64`.
     #[must_use]
     pub fn eps_near(self, eps: f64, need: Need) -> f64 {
         match (self.is_single(), need) {

@@ -27,8 +27,8 @@ pub struct Setting {
 impl Scene {
     /// Builds a setting of about `steps` steps over the whole time, with an infinite error.
     ///
-    /// In `Dd`, ε is rounded to `f64`. If the tolerance of a trajectory is below the error of ε,
-    /// the number of steps becomes a power of 2.
+    /// In `Dd`, ε is rounded to `f64`. If this shifts the end time too much for the tolerance of a
+    /// trajectory, the number of steps becomes a power of 2, with which ε is exact.
     ///
     /// # Panics
     /// If the horizon is not finite and positive, or `steps` is 0.

@@ -1,9 +1,9 @@
 //! The cheapest setting that follows a trajectory.
 //!
-//! The solution ([`Flow`]) is computed in `f64` with a nearby solution that measures the growth of
-//! rounding errors. If these errors matter, the solution is computed in [`Dd`]. The observed error
-//! over the whole time must be small enough. An orbit ten times as accurate as requested checks the
-//! solution.
+//! The solution ([`Flow`]) is computed in `f64`, and a second one from a nearby start shows how
+//! rounding errors grow. If these errors matter, the solution is computed in [`Dd`]. The measured
+//! error of a setting must be within the tolerance over the whole time. An orbit ten times as
+//! accurate as requested checks the solution.
 
 use kahan_core::nalgebra::SVector;
 
@@ -91,7 +91,7 @@ impl Budget {
         F: QuadraticField<f64, N>,
     {
         let flow = self.flow(scene, field, start).ok()?;
-        // The factors differ between components, like independent relative rounding errors.
+        // Coordinates of the second start are scaled differently, like independent rounding errors.
         let factor = |i: usize| {
             if i.is_multiple_of(2) { 1.0 + NEARBY_START_DISTANCE } else { 1.0 - 0.75 * NEARBY_START_DISTANCE }
         };
@@ -125,7 +125,7 @@ where
     M: ExtendScalars<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, TrajectoryFailure> {
-        // The trials begin with steps for which ε times the rate of turning is 4 on average.
+        // In the first trial, the motion turns by about 8 radians per step on average.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = TrialOrbits { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::counted(runs, self.scene.tolerance);
@@ -135,7 +135,7 @@ where
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < MIN_STOPPING_ERROR {
-                    // At another ε, rounding errors may be twice as large, hence the factor 2.
+                    // The factor 2 allows for rounding errors that are twice as large at another ε.
                     NoSetting::OutOfReach {
                         best: libm::exp2(libm::log2(2.0 * REFERENCE_ACCURACY_FACTOR * least_error).ceil()),
                     }

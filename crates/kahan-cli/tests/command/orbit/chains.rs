@@ -103,7 +103,7 @@ fn an_orbit_goes_on_from_a_file() {
     fs::write(&middle, format!("a,b\n{}\n", rows.join("\n"))).expect("a file");
     springs(path_text(&middle), "3", "3", &second);
     assert_eq!(array(&second).1[100..], array(&whole).1[100..]);
-    // A heading names the array of each column.
+    // Columns of the file may have any order, because each heading names the array of its column.
     let turned: Vec<String> =
         values[100..].chunks(2).map(|site| format!("{:?},{:?}", site[1], site[0])).collect();
     fs::write(&middle, format!("b,a\n{}\n", turned.join("\n"))).expect("a file");

@@ -52,7 +52,7 @@ fn change(order: &str, column: usize) -> f64 {
     rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max)
 }
 
-/// Kahan's map preserves an integral up to rounding, a composition up to its order.
+/// Kahan's map preserves the integral. A composition changes it, but less if its order is higher.
 #[test]
 fn a_composition_keeps_the_integral_of_the_flow_to_its_order() {
     assert!(change("2", 3) < 1e-14);

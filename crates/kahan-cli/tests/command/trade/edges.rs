@@ -32,7 +32,7 @@ fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     assert!((number(&object, "scale") / 1.564_f64.tan() - 1.0).abs() < 1e-11, "{}", object["scale"]);
     let choice = &object["choice"];
     assert!(number(choice, "trajectory_error") <= 1e-4);
-    // The trajectory is steep only near its end, so ε may be larger than that slope suggests.
+    // At the end f′(x) = 2x is about 300, but before it is much smaller, so ε may exceed 1/300.
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 
@@ -70,7 +70,7 @@ fn a_homogeneous_field_is_served_alike_at_every_scale() {
     }
 }
 
-/// For this horizon the values of ε exceed the range of `f32`, so `f32` has no setting.
+/// Over a time span of 1e60, ε exceeds the range of `f32`, so the command chooses `f64`.
 #[test]
 fn a_horizon_beyond_the_range_of_f32_is_served_by_f64() {
     let scene = ["e1", "--at", "1e-60,1e-60,1e-60", "--horizon", "1e60", "--tolerance", "1e-4"];
@@ -128,7 +128,7 @@ fn a_tolerance_beyond_32_digits_is_told_from_a_sensitive_solution() {
     json(&["lv", "--at", "1/2,5/3", "--horizon", "1", "--tolerance", named]);
 }
 
-/// The orbit of E6 through this point is periodic, so a long horizon meets no pole.
+/// The orbit of E6 through the point (1, 1/2, 1/3) is periodic, so it does not escape.
 #[test]
 fn a_long_horizon_is_not_taken_for_an_escape() {
     let refusal = complaint(&["e6", "--at", "1,1/2,1/3", "--horizon", "1e12", "--seconds", "0.2"], 2);

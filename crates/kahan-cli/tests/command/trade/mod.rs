@@ -23,7 +23,7 @@ fn number(object: &Value, key: &str) -> f64 {
     object[key].as_f64().unwrap_or_else(|| panic!("{key} in {object}"))
 }
 
-/// Returns the exact ε of a setting, because JSON may round the number.
+/// Computes ε from the time span and the number of steps, because JSON may round ε itself.
 fn eps_of(setting: &Value, horizon: f64) -> f64 {
     let eps = horizon / (2.0 * number(setting, "steps"));
     match setting["scalar"].as_str() {
@@ -32,7 +32,7 @@ fn eps_of(setting: &Value, horizon: f64) -> f64 {
     }
 }
 
-/// Returns an error from a setting, with infinity in place of NaN.
+/// Returns the error with this key, or infinity if the error is `null`.
 fn error(setting: &Value, key: &str) -> f64 {
     setting[key].as_f64().unwrap_or(f64::INFINITY)
 }
@@ -141,7 +141,7 @@ fn the_choice_meets_its_tolerance_when_it_is_run_again() {
         let choice = &object["choice"];
         let (claimed, again) = (number(choice, "trajectory_error"), error_of(choice, 3.0));
         assert!(claimed <= limit, "{choice}");
-        // The command compares fewer points, so its error may be a little smaller.
+        // The command compares only some points of the orbit, so it may miss the largest error.
         assert!(again >= 0.999 * claimed && again <= 1.05 * claimed, "{claimed} against {again}");
         let rust = choice["rust"].as_str().expect("a line");
         assert!(rust.starts_with("let orbit = ") && rust.contains("E6") && rust.ends_with(");"), "{rust}");
@@ -169,8 +169,8 @@ fn integrals_are_kept_by_a_coarse_step_of_the_map_itself() {
     assert!(number(choice, "flow_integral_drift") > 1e-4, "at this eps the flow's are not kept: {choice}");
 }
 
-/// At ε = 0, the claimed integrals of the Euler top are 1 everywhere, so the coefficient of ε² is
-/// measured for compositions.
+/// At ε = 0 the claimed integrals of the Euler top are 1 everywhere. The drift of a composition is
+/// therefore measured by the coefficient of ε² in an integral.
 #[test]
 fn an_integral_that_is_trivial_for_the_flow_is_measured_by_its_next_coefficient() {
     let scene = ["trade", "euler", "--param", "a1=1", "--param", "a2=-3", "--param", "a3=1"];

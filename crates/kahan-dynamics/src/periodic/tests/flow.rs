@@ -109,7 +109,7 @@ fn the_first_doubling_of_the_roessler_system_is_known_to_six_digits() {
         assert_eq!((branch.turns.len(), branch.turns[0].change), (1, BranchChange::ThroughMinusOne));
         branch.turns[0].parameter
     });
-    // The reference comes from shooting with DOP853 and Brent's method.
+    // The reference value was computed by shooting with DOP853 and Brent's method.
     let (reference, found) = (2.832_445_027_862, Extrapolated::of(&turns, Extrapolated::EVEN));
     assert!((found.value - reference).abs() < 3e-8, "{found:?}");
     assert!((found.value - reference).abs() < found.error, "{found:?}");

@@ -21,7 +21,7 @@ pub(super) const COUNTED: SearchParameters = SearchParameters {
 /// The distance of an orbit in `Dd` from an accurate flow is below the tolerance divided by this
 /// factor.
 pub(in crate::scene) const REFERENCE_ACCURACY_FACTOR: f64 = 10.0;
-/// If plain `f64` has too large rounding errors, another scheme gets at most this number of trials.
+/// At most this many trials of each other scheme follow if plain `f64` has large rounding errors.
 const MORE_RUNGS: usize = 5;
 
 pub(in crate::scene) const PLAIN_DOUBLE: Scheme = Scheme::of(Precision::Double);
@@ -57,7 +57,7 @@ impl<L: Trials> Search<L> {
         for composition in Composition::BEST.into_iter().rev() {
             self.refine_order(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
-                // Finer steps would only add rounding errors.
+                // Lower orders need more steps, and so have even larger rounding errors.
                 break;
             }
         }

@@ -1,8 +1,8 @@
 //! Checks the flow by an independent orbit.
 //!
 //! The distance of an orbit in `Dd` from the flow must be well below the tolerance. Otherwise the
-//! flow may have large rounding errors. The order of the orbit is the one that needs the fewest
-//! stages.
+//! flow may have large rounding errors. The orbit has the order that needs the fewest stages for
+//! this accuracy.
 
 use std::cmp::Reverse;
 
@@ -36,8 +36,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Predicts the number of steps for an error by the law error ∝ ε^order, from earlier trials.
-    /// Returns `None` if finer trials in `Dd` do not agree better.
+    /// Predicts from earlier trials how many steps reach the error `wanted`, by the law error ∝
+    /// ε^order. Returns `None` if trials in `Dd` with more steps come no closer to the flow.
     fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
         let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
         let by_law = |trial: &Setting| Self::steps_by_order_law(trial, 0.7 * wanted);
@@ -57,8 +57,8 @@ impl<L: Trials> Search<L> {
             return None;
         }
         let steps = finest.steps as f64;
-        // For errors above `SMALL` the law error ∝ ε^order is not used, and the number of steps is
-        // doubled.
+        // Errors above `PHASE_LOSS_ERROR` do not follow the law error ∝ ε^order, so the number of
+        // steps is doubled.
         let next = if finest.error < PHASE_LOSS_ERROR {
             by_law(finest).clamp(1.3 * steps, 4.0 * steps)
         } else {

@@ -50,9 +50,9 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to stop the trials of a scheme before the trial with `next` steps. The
-    /// reason to stop is that the last trial, with about `end` steps, would take more than the
-    /// fraction `share` of the remaining time.
+    /// Returns whether to stop a scheme before its trial with `_next` steps, because success is
+    /// predicted with `_end` steps, which would take more than the fraction `_share` of the
+    /// remaining time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
@@ -63,15 +63,15 @@ pub trait Trials {
 pub struct SearchParameters {
     /// The fraction of the tolerance up to which an error is accepted.
     pub enough: f64,
-    /// The fraction of the largest accepted error that [`Search::refine`] tries to reach.
+    /// The error at which [`Search::refine`] aims, divided by the largest accepted error.
     pub aim: f64,
     /// The factor on the number of steps that the law error ∝ ε^order predicts.
     pub surplus: f64,
-    /// Whether numbers of steps are skipped once errors follow the law error ∝ ε^order. Plots of
-    /// all trials need `false`.
+    /// Whether numbers of steps are skipped once errors follow the law error ∝ ε^order. Plots that
+    /// need many trials set `false`.
     pub leaps: bool,
-    /// The predicted cost, relative to the smallest known cost, above which the trials of a scheme
-    /// stop.
+    /// The trials of a scheme stop if the predicted cost of an accepted setting exceeds the
+    /// smallest known cost by this factor.
     pub surely: f64,
     /// The fraction of the remaining time that one trial may take.
     pub share: f64,
@@ -162,8 +162,8 @@ impl<L: Trials> Search<L> {
         trial.steps as f64 * libm::pow(trial.error / error, 1.0 / f64::from(trial.scheme.order()))
     }
 
-    /// Returns whether a setting in `f64` has a larger error than another one with fewer steps,
-    /// whose error exceeds `roundings`. In stiff motions, steps of some sizes meet poles.
+    /// Returns whether some setting in `f64` has a larger error than a setting with fewer steps,
+    /// whose error exceeds `roundings`. Such errors arise if steps of some sizes meet poles.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN_DOUBLE.composed(trial.scheme.composition);
@@ -187,7 +187,7 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Searches for fewer steps that still meet the tolerance.
+    /// Searches for an accurate enough setting of the scheme that is cheaper than all known ones.
     pub fn refine(&mut self, scheme: Scheme) {
         for _ in 0..TRIALS {
             let dearest = self.least_cost() / self.trials.price(scheme);

@@ -1,8 +1,8 @@
 //! Trials of a scheme with larger and larger numbers of steps.
 //!
-//! The trials stop if one meets the tolerance or costs more than a known setting, or if the law
-//! error ∝ ε^order predicts such costs. The trials also stop if two successive trials gain nothing
-//! because of rounding errors.
+//! The trials stop if one meets the tolerance or costs more than a known setting. They also stop if
+//! the law error ∝ ε^order predicts a cost above that setting's, or if two successive trials gain
+//! nothing because of rounding errors.
 
 use kahan_core::Composition;
 
@@ -10,8 +10,8 @@ use super::{
     EQUAL_ERROR_RATIO, PHASE_LOSS_ERROR, PLAIN_DOUBLE, PLAIN_DOUBLE_DOUBLE, Scheme, Search, Setting, Trials,
 };
 
-/// The gain of a trial is the previous error divided by its error. The logarithm of a gain may
-/// deviate from the law error ∝ ε^order by this fraction.
+/// The gain of a trial is the previous error divided by its error. A trial follows the law error ∝
+/// ε^order if log(gain) divided by the predicted logarithm differs from 1 by less than this.
 const ORDER_LAW_TOLERANCE: f64 = 0.3;
 /// The error below which the law error ∝ ε^order is trusted.
 const ORDER_LAW_ERROR: f64 = 0.01;
@@ -24,7 +24,7 @@ const STALL_FRACTION: f64 = 0.3;
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
 const ROUNDING_VARIATION: f64 = 30.0;
-/// The largest factor between successive numbers of steps under the law error ∝ ε^order.
+/// If errors follow the law error ∝ ε^order, the next trial has at most this many times the steps.
 const MAX_STEPS_RATIO: u64 = 1 << 12;
 
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +32,7 @@ struct ErrorReduction {
     before: f64,
     /// The previous error divided by the current one.
     factor: f64,
-    /// The logarithm of `factor`, divided by the logarithm of the factor that the order predicts.
+    /// The logarithm of `factor`, divided by the logarithm that the law error ∝ ε^order predicts.
     part: f64,
 }
 
@@ -75,7 +75,7 @@ impl RefinementResult {
         self.has_stalled
     }
 
-    /// Records a trial. Returns the gain over a previous trial with a finite error.
+    /// Records a trial. Returns its gain over the previous trial, if that had a finite error.
     fn add(&mut self, trial: Setting) -> Option<ErrorReduction> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = ErrorReduction::of(&before, &trial);
@@ -102,8 +102,8 @@ impl<L: Trials> Search<L> {
             if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
-            // If the trial with many more steps takes too long, twice the previous number may be
-            // affordable.
+            // If a trial with the proposed number of steps takes too long, twice the previous
+            // number is tried.
             let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
             let mut rungs = [steps, next].into_iter();
             let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
@@ -112,8 +112,8 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS_BEFORE_CHECK {
-                // Near the tolerance a further trial may meet it by chance, in spite of rounding
-                // errors.
+                // Rounding errors vary with ε, so near the tolerance a further trial may meet it by
+                // chance.
                 let is_near = trial.error <= ROUNDING_VARIATION * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
                     climb.has_stalled = true;
