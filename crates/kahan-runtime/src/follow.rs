@@ -15,7 +15,8 @@ use crate::{DimensionError, End};
 /// The result of following an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Followed<R> {
-    /// The report of the observers, or the number of rows that were filled, or `()`.
+    /// For [`Follow::observe`] the observers' report, for [`Follow::rows`] the number of filled
+    /// rows, and for [`Follow::follow`] `()`.
     pub report: R,
     /// The way in which the orbit ended, with the number of steps.
     pub end: End,

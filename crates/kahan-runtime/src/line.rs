@@ -18,15 +18,15 @@ type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 /// A straight-line program with several results.
 ///
 /// The registers hold, in order: the constants, the numbers in the plan, the states, and the
-/// computed values. The constants are parameters and ε, or, for the part of a step that depends on
-/// the state, the prepared constants.
+/// computed values. The constants are the parameters and ε. If a step consists of two programs, the
+/// constants of the second are the results of the first.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     program: Program<Vec<Instruction>>,
     constants: usize,
     /// The number of constants, including the numbers of the plan.
     given: usize,
-    /// The number of states, counted over all points that the program reads.
+    /// The number of coordinates of all points that the program reads.
     states: usize,
     has_poles: bool,
 }
@@ -194,7 +194,7 @@ impl Line {
         self.program.operations.len()
     }
 
-    /// Returns ε, which is the last constant except in kernels.
+    /// Returns ε, the last constant; not for programs made by [`of_kernel`](Self::of_kernel).
     pub(crate) fn eps<V: Clone>(&self, registers: &[V]) -> V {
         registers[self.constants - 1].clone()
     }

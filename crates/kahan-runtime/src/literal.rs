@@ -4,7 +4,7 @@ use kahan_algebra::rational::Rational;
 use kahan_core::{Constant, Scalar};
 use smallvec::{SmallVec, smallvec};
 
-/// A number in a field's text, in the form that generated code writes for the number.
+/// A number in a field's text: a ratio of machine integers, or 64-bit limbs if it is too long.
 #[derive(Clone, Debug)]
 pub(crate) enum Literal {
     Short(Constant<'static>),

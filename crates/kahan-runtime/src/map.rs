@@ -49,7 +49,7 @@ impl Map {
         self.field.has_fused_steps().then_some(Map { fuses: true, ..self })
     }
 
-    /// Prepares the map at ε, half the time step, over the type of ε.
+    /// Prepares the map at ε, half the time step. States then have the type of `eps`.
     ///
     /// The first call for a field takes milliseconds; later calls take microseconds.
     #[must_use]
@@ -63,9 +63,9 @@ impl Map {
         self.at(eps_from_dt(dt))
     }
 
-    /// Prepares the map of [`ThroughF64`](kahan_core::ThroughF64) at ε, half the time step. States,
-    /// ε and parameters are `f32` numbers stored as `f64`. Each step is computed in `f64` and
-    /// rounded once.
+    /// Prepares the steps of [`ThroughF64`](kahan_core::ThroughF64) at ε, half the time step.
+    /// States, ε and parameters are `f32` numbers stored as `f64`. Each step is computed in `f64`
+    /// and rounded once to `f32`.
     #[must_use]
     pub fn through_f64(&self, eps: f32) -> MapAt<f64> {
         let constants = self.constants(eps).map(f64::from).collect();
@@ -91,7 +91,7 @@ impl Map {
 
     /// Writes x̃ to `next`, with the bits and the error bound of [`KahanMap::try_step`]. For floats
     /// with unit roundoff u, the error is at most 64 u relative to the largest component. If this
-    /// bound cannot be guaranteed, returns the inner error.
+    /// bound cannot be guaranteed, returns `Ok(Err(_))`.
     ///
     /// Cost: some ten interpreted steps at an ordinary point, and many more near poles.
     ///
@@ -103,8 +103,7 @@ impl Map {
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // The type matters only for `f32`. With up to four variables, the step is first tried in
-        // single precision.
+        // For N = 4, `f32` steps are first tried in single precision. Otherwise N has no effect.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),
             5..=8 => self.try_step_among::<T, 8>(x, eps, next),

@@ -30,7 +30,7 @@ pub struct FieldText {
 struct SharedText {
     /// The text. For a field made from a system, the text is written at first use.
     text: OnceLock<String>,
-    /// The range of the block in the text; `None` for a field made from a system.
+    /// The range of the field in the text; `None` for a field made from a system.
     body: Option<Range<usize>>,
     origin: String,
     said: OnceLock<ReadText>,

@@ -209,7 +209,7 @@ fn stand_still<T: Pivot + Copy, const N: usize>(command: &str, parameters: &[Big
     }
 }
 
-/// E1 has a removable pole at 1 + εx = 0.
+/// In the catalog's system E1, det A vanishes at 1 + εx = 0, where the reduced map is defined.
 #[test]
 fn a_removable_pole_has_its_value() {
     let entry = find("e1").expect("the catalog has E1");

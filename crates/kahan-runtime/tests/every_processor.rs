@@ -49,7 +49,7 @@ fn generated_code() {
     assert_eq!(found, GENERATED, "{found:#x?}");
 }
 
-/// For each field, the bits of the last point of a single orbit, then those of columns.
+/// For each field, the bits of an orbit's last point by `advance`, then by `advance_columns`.
 const EXPECTED: [&[u64]; 4] = [
     &[
         0xc006_cb97_8df5_bc3e,

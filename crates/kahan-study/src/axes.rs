@@ -1,4 +1,4 @@
-//! Axes of a question in JSON, as an object from names to values:
+//! Reads and writes axes, which are names with the values to try, as a JSON object:
 //! `{"a": "0:1:/9", "eps": "1/10:1:5"}`.
 //!
 //! Use `#[serde(with = "axes")]` on a [`NamedValues`], an optional one or a list of them.

@@ -12,7 +12,7 @@ use crate::study::Study;
 pub struct ColourColumn {
     /// The observable.
     pub observable: Observable,
-    /// The name of the column, or the name of [`Observable::Drift`] for the largest of all drifts.
+    /// The column's name, or that of [`Observable::Drift`] for the largest drift of all integrals.
     pub column: String,
 }
 
@@ -79,7 +79,7 @@ impl ColourColumn {
         let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
         let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
         if self.observable == Observable::Escape {
-            // An orbit that left the range of doubles has exceeded every bound in its next step.
+            // An orbit with the end `range` escaped in the step after its last finite point.
             for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
                 values[row] = (steps[row] + 1) as f64;
             }

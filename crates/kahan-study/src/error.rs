@@ -1,4 +1,4 @@
-//! Errors of questions. Each front end words its messages from the values in the variants.
+//! The errors of a study. Each user interface composes its messages from the variants' values.
 
 use std::fmt;
 
@@ -126,7 +126,7 @@ pub enum StudyError {
     },
     /// The question does not allow an axis of this name.
     UnknownAxis {
-        /// The kind of name that the question allows, in a negated form, such as `no parameter`.
+        /// The predicate of the message, such as `no parameter` in "`b` is no parameter".
         what: &'static str,
         /// The name of the field.
         system: String,
@@ -244,7 +244,7 @@ pub enum StudyError {
     },
     /// The question measures times, but the caller's `Watch` provides no clock.
     NoClock,
-    /// The requested comparison of settings has nothing to measure.
+    /// Settings of the integrator cannot be compared by cost and error.
     Trade {
         /// The name of the field.
         system: String,

@@ -53,7 +53,7 @@ impl<'t> TomlDocument<'t> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }
 
-    /// Returns the line, counted from 1, of the last existing value on a path.
+    /// Returns the line (from 1) of the last value that exists along a path of keys and indices.
     #[must_use]
     pub fn line(&self, path: &[String]) -> usize {
         let place = in_table(self.root.get_ref(), path);
@@ -61,7 +61,7 @@ impl<'t> TomlDocument<'t> {
     }
 }
 
-/// Returns the byte span of the last existing value on a path.
+/// Returns the byte span of the last value that exists along a path of keys and indices.
 fn in_table(table: &DeTable<'_>, path: &[String]) -> Option<Range<usize>> {
     let (name, rest) = path.split_first()?;
     let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;

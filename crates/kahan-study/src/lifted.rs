@@ -145,8 +145,8 @@ impl Lifted {
     }
 }
 
-/// Returns a text with the claims and their rational constants, and the names that the text
-/// defines.
+/// Returns the text of the claims in `given` with the rational constants that they use, and the
+/// names of these claims and constants.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();
@@ -278,7 +278,7 @@ impl Study {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.shown)
     }
 
-    /// Returns the relations of a lift with new variables, which restrict tangent vectors.
+    /// Returns the relations that define a lift's new variables; `None` without new variables.
     pub(crate) fn relations(&self) -> Option<&dyn Relations> {
         let lifted = self.lifted().filter(|lifted| lifted.original.len() < self.variables().len());
         lifted.map(|lifted| lifted as &dyn Relations)
@@ -296,8 +296,7 @@ impl Study {
         self.lift().filter(|lift| lift.has_time).map(|lift| lift.states.len() - 1)
     }
 
-    /// Returns the indices of the columns that an orbit shows, out of n, t, all variables and all
-    /// integrals.
+    /// Returns the indices of the shown columns among: step, time, all variables, all integrals.
     pub(crate) fn columns_shown(&self, columns: usize) -> Vec<usize> {
         let Some(lifted) = self.lifted() else { return (0..columns).collect() };
         let time = self.time_place().map_or(1, |place| 2 + place);
@@ -356,7 +355,7 @@ impl Study {
         let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
         let new = lifted.lift.embed(&floats(&states), &floats(&own));
         let undefined = lifted.lift.new.iter().zip(&new).find(|(_, value)| !value.is_finite());
-        // In floats, rounding may turn a quotient by 0 into a finite number.
+        // If rounding hides the division by 0, the first new variable is named in the error.
         let (new, _) = undefined.or_else(|| lifted.lift.new.iter().zip(&new).next()).expect("a new variable");
         Err(StudyError::NotEmbedded {
             variable: new.name.clone(),
@@ -368,7 +367,7 @@ impl Study {
 /// The length of the time interval over which errors of relations are measured.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
-/// The number of segments in an eighth of an orbit.
+/// An eighth of an orbit is divided into this number of segments, whose largest errors are kept.
 const SEGMENTS_PER_EIGHTH: usize = 50;
 /// An error that grows by this factor from the first to the last eighth of an orbit drifts.
 const DRIFT_GROWTH: f64 = 1.5;
@@ -504,7 +503,7 @@ pub struct WatchedOrbit {
 pub struct NewFound {
     /// The name of the variable.
     pub name: String,
-    /// The variable as a function of the original variables; `None` for the work of a force.
+    /// The variable as a function of the original ones; `None` for work, an integral over time.
     pub expression: Option<String>,
     /// The expression in LaTeX.
     #[serde(skip)]
@@ -523,7 +522,7 @@ pub struct RelationFound {
     pub along: Option<RelationFate>,
     /// The formula that the map preserves exactly.
     pub formula: Option<String>,
-    /// The largest exponent with which small errors of the relations grow along the orbit.
+    /// The largest rate λ, over all relations, at which small errors grow: like exp(λt).
     #[serde(serialize_with = "finite")]
     pub rate: Option<f64>,
     /// The index, among the new variables, of the variable that the relation defines.
@@ -540,7 +539,7 @@ fn finite<S: Serializer>(rate: &Option<f64>, serializer: S) -> Result<S::Ok, S::
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RelationFate {
-    /// The map preserves a formula exactly.
+    /// The map exactly preserves a modified relation, [`RelationFound::formula`].
     Kept,
     /// The error stays bounded.
     Bounded,

@@ -1,4 +1,4 @@
-//! Norms and errors of maps, for scenes and trades.
+//! The norm ‖f′(x)‖ of a map's field, and the reasons why a system cannot be run.
 
 use kahan_runtime::interpreted::UnsupportedDimension;
 use kahan_runtime::{MapAt, ParameterError};

@@ -13,7 +13,7 @@ const MOST_POINTS: u64 = 16;
 /// variables.
 const MOST_OF_MANY: u64 = 4;
 
-/// Above this number of variables, the matrix f′ at one point costs more than a row of a table.
+/// Above this number of variables, evaluating f′ costs more than computing a row of an orbit table.
 const MANY_VARIABLES: usize = 32;
 
 /// If λ is the rate at which a component changes, steps with |2ελ| above this bound do not resolve
@@ -46,7 +46,7 @@ impl Study {
 }
 
 impl Rates {
-    /// Returns the distance between checked rows; `rows` is the number of all rows.
+    /// Returns the number of rows from one check to the next; `rows` is the number of all rows.
     #[must_use]
     pub fn stride(&self, rows: u64) -> u64 {
         let most = if self.variables > MANY_VARIABLES { MOST_OF_MANY } else { MOST_POINTS };

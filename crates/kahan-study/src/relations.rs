@@ -74,7 +74,7 @@ impl Study {
             let functions = lift.embed(&x[..states], &own);
             for (errors, size) in errors.iter_mut().zip(&sizes) {
                 let error = size.at(x, states, &functions);
-                // If the orbit has fewer points than segments, some segments contain no point.
+                // A segment without points gets the smaller error of the neighbouring segments.
                 errors.resize(part + 1, errors.last().copied().unwrap_or(error).min(error));
                 errors[part] = error.max(errors[part]);
             }

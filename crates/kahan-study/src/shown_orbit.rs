@@ -42,9 +42,8 @@ const START_SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), 
 impl Study {
     /// Returns an orbit to show; chooses ε and the start if they are not given.
     ///
-    /// ε is a power of two, at most a fifth of the largest step that the field's rates allow. The
-    /// start is the first of some points whose orbit stays bounded and keeps moving. Costs some
-    /// orbits of 4000 steps.
+    /// ε is a power of two, small compared with 1/‖f′(x)‖∞ on a trial orbit. The start is the first
+    /// of some points whose orbit stays bounded and keeps moving. Costs some orbits of 4000 steps.
     ///
     /// # Errors
     /// [`StudyError`]: missing values, a point that does not fit, or a field that is undefined at
@@ -72,11 +71,11 @@ impl Study {
                     continue;
                 }
             };
-            // Without a lift, `rate` is a norm that exceeds the frequency, so ε may be larger.
+            // ε is this fraction of 1/`rate`; without a lift, `rate` overestimates frequencies.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
-            // The second trial uses the rates along the first orbit. Lifted fields get up to four
-            // trials.
+            // Later trials use the rates along earlier orbits. There are two trials; for lifted
+            // fields up to four, until an orbit stays bounded.
             for look in 0..4 {
                 if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
                     break;
@@ -99,7 +98,7 @@ impl Study {
         if !is_lifted || self.lift_start().is_none() {
             return Ok(shown);
         }
-        // Large errors of the relations require a smaller ε.
+        // While errors of the lift's relations are large, ε is halved, unless it is given.
         let (start, tries) = (self.point(&shown.start)?, if eps.is_some() { 1 } else { 5 });
         let (own, mut smaller) = (shown.start.clone(), shown.eps.clone());
         shown.stays = false;
@@ -160,8 +159,8 @@ impl<'a> StepsAndRates<'a> {
         values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
 
-    /// Returns ‖f′‖∞. For a lifted field, returns ‖J²‖∞^(1/2), where J is the Jacobian of the
-    /// original equations.
+    /// Returns ‖f′‖∞, or for a lifted field ‖J²‖∞^(1/2), where J is the Jacobian of the original
+    /// equations; for an oscillator this is the frequency.
     fn rate(&self, x: &[f64]) -> f64 {
         /// The step size of central differences, about the cube root of the rounding error.
         const DIFFERENCE_STEP: f64 = 1e-5;
@@ -250,7 +249,7 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 }
 
 /// Returns the length scale of the field, a power of two at which terms of different degrees
-/// balance. For a homogeneous quadratic field, points of this size move about this far in time ε.
+/// balance. Points of this size move by about their size in time ε if all terms are quadratic.
 fn length_scale(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));

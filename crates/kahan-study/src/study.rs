@@ -25,7 +25,7 @@ pub const MOST_VARIABLES: usize = 200;
 pub enum NoStep {
     /// The reduced map has a pole at the point.
     Pole,
-    /// det A = 0, but the map has too many terms to be reduced, and may be defined.
+    /// det A = 0. The map has too many terms to be reduced, so the image may exist nevertheless.
     Unreduced,
     /// The image is beyond the range of the scalar.
     Range,
@@ -160,7 +160,7 @@ impl Study {
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 
-    /// Returns the name in the catalog, if this is a system of it and no parameter has a value.
+    /// Returns the field's name if it is a system of the catalog without given parameter values.
     #[must_use]
     pub fn as_it_stands(&self) -> Option<&'static str> {
         self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)

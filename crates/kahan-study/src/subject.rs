@@ -117,7 +117,7 @@ impl Subject {
         self.lifting(Lifting { which, ..Lifting::default() })
     }
 
-    /// Lifts to a quadratic field with all options.
+    /// Lifts the field to a quadratic field, with the given options.
     #[must_use]
     pub fn lifting(self, lifting: Lifting) -> Self {
         Subject { lifting: Some(lifting), ..self }

@@ -1,8 +1,8 @@
 //! Sparse elimination for fields of many variables, on slices.
 //!
-//! In: the entries of f′(x), and ε. Out: factors of A(x,ε) = I − εf′(x) in `kahan-core`'s
-//! elimination order, and solutions. If a pivot is too small, a second elimination chooses pivots
-//! among sparse rows.
+//! In: the entries of f′(x), and ε, half the time step. Out: factors of A(x,ε) = I − εf′(x) in
+//! `kahan-core`'s elimination order, and solutions of systems with A. If a pivot is too small,
+//! another elimination exchanges rows.
 
 use std::sync::OnceLock;
 
@@ -13,7 +13,7 @@ use kahan_core::{Constant, Scalar};
 use super::elimination::solve_sparse;
 use super::floats::MachineFloat;
 
-/// The number of entries of A(x,ε) above which rows are eliminated in panels.
+/// From this number of entries of A(x,ε) on, blocks of consecutive rows are eliminated together.
 const FEWEST_IN_PANELS: usize = 16_000;
 
 /// The sparsity pattern of A(x,ε) in the order of elimination, including fill-in.
@@ -82,7 +82,7 @@ impl EliminationPattern {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Returns whether the matrix is large and sparse; pivots are then chosen among sparse rows.
+    /// Returns whether A is so large and sparse that an elimination with pivoting uses sparse rows.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables
@@ -103,7 +103,8 @@ impl EliminationPattern {
     }
 
     /// Factors A(x,ε) without testing pivots. Returns a number larger than [`LARGEST_FACTOR`] if
-    /// [`factor`](Self::factor) would reject a pivot; `None` if nothing is eliminated.
+    /// [`factor`](Self::factor) would return `false`; `None` if no pivot has entries both below it
+    /// and to its right.
     ///
     /// For each pivot, take the smaller of two numbers: the largest multiplier of its column, and
     /// the largest quotient of an entry of its row by the pivot. The result is the maximum over the
@@ -140,7 +141,7 @@ impl EliminationPattern {
         self.couplings().pivots(&factors.values).filter(|pivot| **pivot < 0.0).count() % 2 == 1
     }
 
-    /// Replaces one column y of b by A⁻¹y; b is a row-major matrix with `width` columns.
+    /// Replaces the column y of b with index `column` by A⁻¹y; b is row-major with `width` columns.
     pub(crate) fn solve<V: Scalar>(
         &self,
         factors: &mut Factors<V>,
@@ -155,7 +156,7 @@ impl EliminationPattern {
         self.in_order(factors, b, [1, 0], |couplings, values, row| couplings.solve_transposed(values, row));
     }
 
-    /// Applies `solve` to a column of b in the order of elimination.
+    /// Applies the closure `solve` to a column of b whose entries are put in elimination order.
     #[inline(always)]
     fn in_order<V: Scalar>(
         &self,

@@ -1,8 +1,8 @@
-//! The step of a dense field by loops over packed coefficients, with the same bits as the
-//! interpreter.
+//! Advances states of a dense field by loops over packed coefficients.
 //!
 //! In: the numbers of a state, and for each stage the packed coefficients and ε. Out: the numbers
-//! after some steps, and a guard. If the guard is large, the interpreter must repeat the steps.
+//! after some steps, with the bits of the interpreter, and a guard. If the guard is infinite, the
+//! interpreter must repeat the steps.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::LARGEST_FACTOR;
@@ -68,9 +68,9 @@ fn nearest<T: MachineFloat>(number: &Rational) -> T {
     T::constant(&Constant::exact(number.is_negative(), &[], &[], single, double, 0.0))
 }
 
-/// Advances a state by steps of a dense field. The last of the `numbers` becomes large if the
-/// interpreter must repeat the steps. `stages` holds the coefficients of each distinct stage, the
-/// middle stage last.
+/// Advances a state by steps of a dense field. The last of the `numbers` is a guard, which becomes
+/// infinite if the interpreter must repeat the steps. `stages` holds the coefficients of each
+/// distinct stage, the middle stage last.
 pub(crate) fn advance<T: MachineFloat>(kind: StepKind, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
     let Some((guard, numbers)) = numbers.split_last_mut() else { return };
     let dimension = if kind.compensated { numbers.len() / 2 } else { numbers.len() };
@@ -121,8 +121,8 @@ fn is_negative_zero<T: MachineFloat>(x: &T) -> bool {
     x.is_zero() && (T::one() / *x).approximate() < 0.0
 }
 
-/// Advances columns by steps of a dense field, one SIMD register of trajectories at a time. `alone`
-/// repeats the steps of a trajectory that the loops reject.
+/// Advances many trajectories by SIMD loops; each column holds one variable. If a pivot of a
+/// trajectory is too small, or a number is not finite or −0, `alone` repeats its steps.
 pub(crate) fn advance_columns<T: MachineFloat>(
     kind: StepKind,
     columns: &mut [&mut [T]],
@@ -132,7 +132,7 @@ pub(crate) fn advance_columns<T: MachineFloat>(
 ) {
     let (n, width) = (columns.len(), points::<T>());
     let trajectories = columns.first().map_or(0, |column| column.len());
-    // The scratch is taken out, because `alone` borrows it too.
+    // The scratch leaves its thread-local cell, because `alone` borrows this cell too.
     let mut scratch = with_scratch(T::single(), std::mem::take);
     let Scratch { state, guarded, given, registers, workspace, dense, .. } = &mut scratch;
     for first in (0..trajectories).step_by(width) {

@@ -31,7 +31,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     #[doc(hidden)]
     fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
-    /// Evaluates an object by machine code; returns `false` if the object has no code.
+    /// Evaluates a function derived from the field by machine code; returns `false` if it has none.
     #[doc(hidden)]
     fn has_evaluated(
         _engine: &Engine,
@@ -43,7 +43,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
         false
     }
 
-    /// Factors A(x,ε) as [`EliminationPattern::factor`] does, for some types in SIMD lanes.
+    /// Factors A(x,ε) as [`EliminationPattern::factor`] does; `f32` and `f64` may use SIMD lanes.
     #[doc(hidden)]
     fn factor(tables: &EliminationPattern, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
         tables.factor(slopes, eps, factors)
@@ -62,11 +62,11 @@ type EightLanes<T> = RegisterPair<RegisterPair<RegisterPair<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
-    /// A scalar that holds the states of several orbits in SIMD lanes.
+    /// A scalar whose SIMD lanes hold one number of each of several orbits.
     #[doc(hidden)]
     type GroupCode: Lanes<Self>;
 
-    /// Returns the code of a field over this float.
+    /// Selects the machine code for this float type.
     #[doc(hidden)]
     fn codes(codes: &Codes) -> &FloatCodes<Self>;
 

@@ -16,7 +16,7 @@ use super::{Engine, for_each_stage};
 /// The code of a group's steps, compiled at first use; `Some(None)` if compilation fails.
 pub(crate) type GroupCodeCell<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 
-/// Machine code over the columns of a group, with its constants.
+/// The machine code for steps of a group of orbits, with the constants of these orbits.
 #[derive(Debug)]
 pub(crate) struct GroupCode<T> {
     code: Arc<Sweep<T>>,
@@ -43,8 +43,8 @@ impl Engine {
 
     /// Returns code for the steps of a group of orbits, with tangent vectors after each point.
     ///
-    /// If `constants` are given, a straight-line program propagates the vectors. Otherwise each
-    /// stage is a step of the variational field.
+    /// If `constants` (the parameters and ε of each map) are given, a straight-line program
+    /// computes the vectors from them. Otherwise each stage is a step of the variational field.
     pub(crate) fn group_code_with_vectors<T: MachineFloat>(
         &self,
         stages: [&CompiledStages<T>; GROUP],

@@ -1,7 +1,7 @@
-//! Evaluation of the objects of a field at a state, by the field's plans.
+//! Evaluates functions derived from a field, such as the map and its Jacobian, at a state.
 //!
-//! In: plans, and slices whose lengths the callers have checked. Out: numbers with the same bits as
-//! in generated code. Each plan is prepared at first use, and shared by all maps of the field.
+//! In: plans (straight-line programs of these functions), and slices of checked lengths. Out:
+//! numbers with the same bits as in generated code. All maps of a field share its plans.
 
 mod coded;
 mod coded_columns;
@@ -51,13 +51,13 @@ pub enum MapObject {
     FieldJacobian,
     Integrals,
     Density,
-    /// The entries above the diagonal of the bracket with this index.
+    /// For the Poisson bracket with this index, the matrix entries above the diagonal.
     Bracket(usize),
-    /// The field f(x) with the map's coefficients at ε.
+    /// The field f(x), with coefficients that depend on ε evaluated at the map's ε.
     FieldAtEps,
-    /// The Jacobian f′(x) with the map's coefficients at ε, row by row.
+    /// The Jacobian of [`FieldAtEps`](Self::FieldAtEps), row by row.
     FieldJacobianAtEps,
-    /// The polarised field Q(x,y) + ½B(x+y) + c with the map's coefficients at ε.
+    /// The polarised field Q(x,y) + ½B(x+y) + c, if `FieldAtEps` is Q(x,x) + Bx + c.
     PolarizedAtEps,
     /// The matrix A(x,ε), row by row.
     Matrix,
@@ -67,19 +67,19 @@ pub enum MapObject {
     Bilinear,
     /// The polarised field Q(x,y) + ½B(x+y) + c.
     Polarized,
-    /// The determinant det A(x,ε), if it has few enough terms.
+    /// The determinant det A(x,ε) in expanded form, unless the expansion has too many terms.
     DetMatrix,
-    /// The numerators and the denominator of x̃, if they have few enough terms.
+    /// The expanded numerators and denominator of x̃, unless they have too many terms.
     RationalMap,
     /// Numerators and denominator of x̃ without a common factor that depends on states.
     ReducedMap,
-    /// The tangent vector (∂x̃/∂x)·v if x̃ is known. The state is x, v, x̃, and n further numbers
-    /// that are not read.
+    /// The tangent vector (∂x̃/∂x)·v, where v is a tangent vector at x. The program reads two
+    /// points of 2n numbers: (x, v), and x̃ with n unused numbers.
     Tangent,
 }
 
 impl MapObject {
-    /// Returns the object's index within a field, and the plan of an object that has one.
+    /// Returns the object's index in the tables of [`Engine`], and its plan if it has a plan.
     pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
             MapObject::Field => (0, Some(derived.at_eps_zero().field())),
@@ -124,7 +124,7 @@ pub(crate) struct Stage<T> {
     given: Vec<T>,
 }
 
-/// Iterates over the coefficients γ₁, …, γₘ of a palindromic composition, up to the middle one.
+/// Iterates over the first half of a palindromic composition's coefficients, with the middle one.
 fn distinct_coefficients(
     composition: &Composition,
 ) -> impl ExactSizeIterator<Item = &'static Constant<'static>> {
@@ -233,7 +233,7 @@ impl Engine {
         });
     }
 
-    /// Returns whether a step from `state` divides by exactly 0; overwrites `state`.
+    /// Makes one step of `state`, and returns whether the step divided by exactly 0.
     pub(crate) fn divides_by_zero<T: RuntimeFloat>(&self, stages: &[Stage<T>], state: &mut [T]) -> bool {
         let (kind, mut divides) = (StepKind::of(T::PRECISION, false), false);
         with_scratch(T::single(), |scratch| {
@@ -272,8 +272,8 @@ impl Engine {
         }
     }
 
-    /// Evaluates an object at a state; `constants` are the parameters and ε. If the field lacks the
-    /// object, `out` stays unchanged.
+    /// Evaluates `object` at a state; `constants` are the parameters and ε. If this field has no
+    /// program for the object, `out` stays unchanged.
     pub(crate) fn evaluate<T: RuntimeFloat>(
         &self,
         object: MapObject,
@@ -298,8 +298,8 @@ impl Engine {
         }
     }
 
-    /// Writes ∂x̃/∂x of a step, row by row: by dual numbers in a straight-line step, and otherwise
-    /// as A(x,ε)⁻¹·A(x̃,−ε).
+    /// Writes ∂x̃/∂x row by row: by dual numbers if the step has a straight-line program, and
+    /// otherwise as the product A(x,ε)⁻¹·A(x̃,−ε).
     fn jacobian<T: RuntimeFloat>(&self, constants: &[T], state: &[T], out: &mut [T]) {
         let (parameters, eps) = split(constants);
         let step = self.steps().of_duals();

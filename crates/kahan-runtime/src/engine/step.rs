@@ -40,7 +40,8 @@ impl StepForms {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
-    /// Returns whether generated code over V rounds an increment before adding it.
+    /// Returns whether generated code over V rounds an increment before adding it, instead of
+    /// fusing product and sum; `is_general` says that the step does not divide by ε.
     pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
         is_general && may_divide_by(&V::one())
     }
@@ -62,7 +63,7 @@ pub(crate) struct Step {
     /// and one for the field.
     lines: Vec<Line>,
     couplings: Option<EliminationPattern>,
-    /// For each component, the indices of the increment's numerator and reciprocal in the results.
+    /// For each increment, the indices among the results of its numerator and of 1/denominator.
     pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
@@ -132,9 +133,9 @@ impl Step {
 
     /// Advances a state by one step.
     ///
-    /// A nonempty `carry` holds the rounding errors of the state. `single` rounds a state of single
-    /// precision that was computed in double precision. `factor` factors A(x,ε); if `factor`
-    /// returns `false`, partial pivoting is used.
+    /// A nonempty `carry` holds the rounding errors of the state. The callback `single` rounds x̃
+    /// to single precision if a step in single precision is computed in double precision. `factor`
+    /// factors A(x,ε); if `factor` returns `false`, partial pivoting is used.
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -238,8 +239,7 @@ impl Step {
         outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
     }
 
-    /// Returns the numerator and the reciprocal of an increment. If `rounds` is true, returns their
-    /// product.
+    /// Returns the numerator and 1/denominator of increment i; if `rounds` is true, their product.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
         let (numerator, reciprocal) = self.quotients[i];

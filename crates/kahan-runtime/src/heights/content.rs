@@ -1,14 +1,14 @@
 //! The common factor of the coordinates after a step, the content gcd(X̃₁, …, X̃_n, W̃), and its
 //! removal.
 //!
-//! For integrable maps the content is large: two thirds of the digits for dE4. A gcd of such long
-//! numbers costs more than the step itself, so [`ContentPredictor`] predicts the content from
-//! earlier steps.
+//! For integrable maps the content is long, for example two thirds of the digits for the catalog's
+//! system E4. A gcd of such long numbers costs more than the step itself, so [`ContentPredictor`]
+//! predicts the content from earlier steps.
 //!
 //! # Other maps
 //!
-//! If [`MAX_NEGLIGIBLE_CONTENTS`] contents in a row are negligible, the search for contents stops.
-//! The search resumes when the common factors found for heights reach one per cent of the digits.
+//! If [`MAX_NEGLIGIBLE_CONTENTS`] contents in a row are negligible (have less than one per cent of
+//! the digits), the search for contents stops until the computation of heights finds a longer one.
 
 use std::collections::VecDeque;
 
@@ -41,8 +41,8 @@ pub(crate) struct PrimitivePoint {
 /// the previous point X₋. By singularity confinement, a prime that divides a content also divides γ
 /// a few steps earlier. This number of steps, the lag, is constant along an orbit.
 ///
-/// The predictor finds the lag while numbers are short. Later it first tries gcd(γ, W̃), where W̃
-/// is the last coordinate of the new point.
+/// The predictor finds the lag while numbers are short. For long numbers it first tries to divide
+/// the new point by gcd(γ, W̃), where W̃ is the point's last coordinate.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContentPredictor {
     misses: u32,
@@ -50,7 +50,7 @@ pub(crate) struct ContentPredictor {
     behind: VecDeque<UBig>,
     /// The number of steps back to the γ that predicts a content; `None` while unknown.
     lag: Option<usize>,
-    /// The number of further long steps without prediction.
+    /// The number of coming steps for which no prediction is tried.
     pause: u32,
     next_pause: u32,
     was_predicted: bool,
@@ -122,8 +122,8 @@ impl ContentPredictor {
     }
 }
 
-/// Returns γ: the last coordinate of the inverse step, divided by the previous W; `None` if γ is
-/// not an integer.
+/// Returns γ from the last coordinates of the previous point X₋ and of F₋(X) = γX₋, where F₋ is the
+/// inverse map; `None` if γ is not an integer.
 fn factor_of_step_back((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())

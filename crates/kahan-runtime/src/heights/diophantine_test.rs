@@ -14,8 +14,8 @@ pub struct DiophantineTest {
     pub heights: Vec<Heights>,
     /// The growth class of the component whose height rises most.
     pub growth: Growth,
-    /// log(h_n/h_{n−1}) at the last step n, for the component with the largest height; 0 unless
-    /// growth is exponential. The limit for large n is the Diophantine entropy.
+    /// log(h_n/h_{n−1}) at the last step n, for the heights h₀, h₁, … of the component that is then
+    /// largest; 0 unless growth is exponential. For large n this tends to the Diophantine entropy.
     pub entropy: f64,
     /// The reason why the orbit ended before the last step; `None` if all steps were made.
     pub stopped: Option<Stop>,
@@ -44,7 +44,7 @@ impl DiophantineTest {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // The bound on digits comes first, because it does not depend on the machine.
+            // `Stop::Digits` has priority, because digits do not depend on the machine.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.check_expected_digits().is_ok();
             if step > 0 && (is_late || !goes_on) {

@@ -10,8 +10,8 @@ use std::fmt;
 ///
 /// The class is *bounded* if N ≥ 4 and the greatest height occurs in the first half.
 ///
-/// For 4 ≤ N < 8, the class is otherwise *exponential* if each of the last three ratios h_n/h_{n−1}
-/// is at least 1.5. The ratios must agree within 5 %.
+/// For 4 ≤ N < 8, the class is *exponential* if it is not bounded, and if the last three ratios
+/// h_n/h_{n−1} are at least 1.5 and agree within 5 %.
 ///
 /// For N ≥ 8, divide the last heights into four groups of ⌊N/4⌋, and take the mean of each group.
 /// Let d₁, d₂, d₃ be the first differences of these means, and s₁, s₂ the second differences. If
@@ -57,7 +57,8 @@ impl Growth {
         if n < 8 { Self::of_few(heights) } else { Self::of_quarters(heights) }
     }
 
-    /// Chooses between least-squares lines in n and in log n, if one fits clearly better.
+    /// Returns `Linear` or `Logarithmic` if the least-squares line in n or in log n has at most
+    /// half the residual of the other line, and otherwise `Undecided`.
     fn of_lines(heights: &[f64]) -> Self {
         let (linear, logarithmic) = (residual(heights, |n| n), residual(heights, libm::log));
         if 2.0 * linear <= logarithmic {

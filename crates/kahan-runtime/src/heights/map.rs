@@ -1,8 +1,8 @@
 //! Kahan's map on projective integers (X₁ : … : X_n : W), which stand for the point xᵢ = σXᵢ/W.
 //!
-//! In: a system, values of its parameters, and ε. Out: steps without fractions. The reduced map is
-//! homogenised with W. If the reduced map has too many terms, fraction-free elimination solves A x̃
-//! = b over ℤ. For a homogeneous field σ = 1/ε, so that no power of ε lengthens the numbers.
+//! In: a system, values of its parameters, and ε. Out: steps without fractions, by the map in
+//! lowest terms, homogenised with W, or, if this has too many terms, by fraction-free elimination
+//! of A x̃ = b over ℤ. The constant σ is 1/ε for a homogeneous field, otherwise 1.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
@@ -44,7 +44,7 @@ enum Formula {
 pub(crate) struct Image {
     pub(crate) point: Vec<IBig>,
     pub(crate) weight_parts: Vec<IBig>,
-    /// The last coordinate of the inverse map at the new point, if the map is reduced.
+    /// The last coordinate of F₋(X), where F₋ is the inverse map and X the point before the step.
     pub(crate) weight_behind: Option<IBig>,
 }
 
@@ -117,7 +117,7 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// Makes one step, and divides out a known common factor; `factors` are the gcds of Xᵢ and W.
+    /// Makes one step, and divides out the common factor that long `factors` gcd(Xᵢ, W) imply.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {

@@ -32,9 +32,9 @@ use super::report::{Heights, Stop};
 #[derive(Clone, Debug)]
 pub struct HeightsOrbit {
     map: ProjectiveMap,
-    /// The current point (X₁, …, X_n, W). `factors` holds gcd(Xᵢ, W) for each Xᵢ, and `before` the
-    /// previous point.
+    /// The current point (X₁, …, X_n, W).
     point: Vec<IBig>,
+    /// gcd(Xᵢ, W) for each i.
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,
     content: ContentPredictor,
@@ -155,7 +155,8 @@ impl HeightsOrbit {
         Ok(heights)
     }
 
-    /// Returns an error if the next step is expected to have more than twice the allowed digits.
+    /// Returns an error if the next point's coordinates are expected to have more than twice the
+    /// allowed digits. Less clear cases are decided after the step.
     pub(super) fn check_expected_digits(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {

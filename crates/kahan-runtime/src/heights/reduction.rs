@@ -33,8 +33,8 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
     }
     let is_long = weight.bit_len() >= THREADED_GCD_BITS && threads::available() > 1;
     if parts.len() > 1 && is_long {
-        // For each factor B of W, take gcd(B, ∏Xᵢ). The product of these gcds divides W, and
-        // gcd(Xᵢ, W) divides the product.
+        // Let W be the product of the factors B in `parts`. The product of all gcd(B, ∏Xᵢ) divides
+        // W, and is a multiple of each gcd(Xᵢ, W).
         let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
         let shares = in_halves(parts, |parts| parts.iter().map(share).collect::<Vec<UBig>>());
         return each_with(x, weight, &shares.iter().flatten().product());

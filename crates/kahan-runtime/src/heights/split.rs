@@ -1,13 +1,13 @@
 //! A faster step from points at which gcd(Xᵢ, W) has most of the digits of some coordinates Xᵢ.
 //!
-//! For dE7, for example, x is a fraction of four digits while z has ten thousand. Then Xᵢ and W
-//! have a long common factor g: Xᵢ = g aᵢ, W = g b with short aᵢ and b. A form N in all coordinates
-//! is a sum of gʲ Nⱼ, where Nⱼ has degree j in the short coordinates.
+//! For the catalog's system E7, for example, x is a fraction of four digits while z has ten
+//! thousand. Then some Xᵢ and W have a long common factor g: Xᵢ = g aᵢ, W = g b with short aᵢ and
+//! b. A form N in all coordinates is a sum of gʲ Nⱼ, where Nⱼ has degree j in these aᵢ and b.
 //!
 //! # Gain
 //!
 //! Few long products remain, and the lowest power of g in all forms is divided out at no cost. The
-//! gcd of g with the terms N₀ divides the result, too. For dE7 this gcd is g up to a few digits.
+//! gcd of g with the terms N₀ divides the result, too. For E7 this gcd is g up to a few digits.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -28,12 +28,11 @@ pub(crate) struct Splits {
 
 #[derive(Clone, Debug)]
 struct Split {
-    /// Whether each coordinate, and then W, is a short multiple of the common factor g.
+    /// For each coordinate, W last: whether it is the common factor g times a short number.
     is_short: Vec<bool>,
     /// The plan of the nonzero terms Nⱼ of all forms N = Σ gʲ Nⱼ, form by form.
     plan: Plan,
-    /// For each nonzero Nⱼ in N = Σ gʲ Nⱼ, form by form: j minus the least exponent of g in all
-    /// forms.
+    /// For each nonzero Nⱼ in N = Σ gʲ Nⱼ, form by form: j minus the least such j in all forms.
     degrees: Vec<Vec<usize>>,
 }
 
@@ -42,8 +41,8 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Returns the image of a point, divided by a known common factor; `None` if no coordinate is
-    /// short.
+    /// Looks for a common factor g of W and some Xᵢ with most of W's digits. Returns the image of a
+    /// point without the common factor that g implies; `None` if no g exists.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LEAST_SPLIT_BITS)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();
@@ -86,7 +85,7 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        // Only the terms N₀ are divided by g; any other Nⱼ becomes a remainder unchanged.
+        // Only N₀ is divided by g with remainder, because the other terms gʲ Nⱼ are multiples of g.
         let divisor = IBig::from(g.clone());
         let divided =
             |(part, &j): (IBig, &usize)| if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) };

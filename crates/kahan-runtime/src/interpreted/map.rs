@@ -1,7 +1,7 @@
 //! Implements [`KahanMap`] for an interpreted system.
 //!
-//! In: a state, and ε. Out: every object of the map, computed by its straight-line program. An
-//! object that has too many terms for a program is computed from the matrices of the field.
+//! In: a state, and ε. Out: x̃, its Jacobian, integrals and so on, each by a straight-line program,
+//! or, if that would be too long, by linear algebra with A(x,ε).
 
 use std::marker::PhantomData;
 use std::sync::Arc;

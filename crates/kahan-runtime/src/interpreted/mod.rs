@@ -1,8 +1,8 @@
 //! A run-time system as a map over any scalar, with the traits that generated code implements.
 //!
-//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) with the bits of generated
-//! code. Code that is generic over maps thus accepts run-time fields, several times slower than
-//! compiled fields.
+//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) whose results equal those
+//! of generated code bit for bit. Code that is generic over maps thus accepts run-time fields,
+//! several times slower than compiled fields.
 
 mod dimension;
 mod map;
@@ -100,8 +100,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         &self.engine.derived.system.field.symbols.states
     }
 
-    /// Returns the names of the integrals that the block claims without a condition `when`, in
-    /// order.
+    /// Returns, in order, the names of the integrals that are claimed without a condition `when`.
     pub fn integral_names(&self) -> impl ExactSizeIterator<Item = &str> {
         self.engine.derived.integral_names.iter().map(String::as_str)
     }

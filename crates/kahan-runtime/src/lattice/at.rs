@@ -1,7 +1,7 @@
-//! A family at one ε, for chains of one length.
+//! Kahan's map of a lattice, for one ε and one number of sites.
 //!
-//! In: a state, site by site, with the arrays interleaved. Out: the next state in place of the old
-//! one, linear integrals, and the modified energy.
+//! In: a state, which holds the variables of the first site, then those of the second, and so on.
+//! Out: the next state in the same memory, linear integrals, and the modified energy.
 
 use std::sync::Arc;
 
@@ -75,8 +75,8 @@ impl ChainAt {
         Ok(ChainAt { code: Arc::clone(&code), at })
     }
 
-    /// Returns the chain with steps at another instruction-set level; `None` if the processor lacks
-    /// the level. In long chains, the last bits depend on the level.
+    /// Returns the chain with steps in another SIMD instruction set; `None` if the processor lacks
+    /// it. In long chains, the last bits depend on the instruction set.
     #[must_use]
     pub fn at_level(self, level: Level) -> Option<Self> {
         Some(ChainAt { at: self.at.at_level(level)?, ..self })

@@ -23,7 +23,7 @@ pub enum LatticeError {
         name: String,
         /// The number of values found.
         found: usize,
-        /// The number of sites; `None` for a parameter of the whole chain.
+        /// The number of values expected: one for each site; `None` if a single value is expected.
         sites: Option<usize>,
     },
 }

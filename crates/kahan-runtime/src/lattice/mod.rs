@@ -1,8 +1,8 @@
 //! Families read at run time, as maps of chains with any number of sites.
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
-//! and parameters. Out: steps in `f64`, with the bits of compiled families. One exception: long
-//! chains whose stencil is missing in the solver's [`StencilMenu`] are eliminated as a whole.
+//! and parameters. Out: steps in `f64` with the bits of compiled families, except in long chains
+//! whose stencil is not in the solver's [`StencilMenu`]; these are eliminated as a whole.
 
 mod at;
 mod error;
@@ -44,7 +44,7 @@ struct LatticeCode {
     rows: Program,
     /// The program that computes the densities of the integrals, then of the Hamiltonian.
     sums: Program,
-    /// The indices of the entries of A that may differ from 0.
+    /// The indices, among the entries of the rows of A at a site, of those that may differ from 0.
     entries: Vec<usize>,
     sizes: Sizes,
 }

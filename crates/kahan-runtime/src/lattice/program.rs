@@ -72,12 +72,12 @@ pub(super) struct OperandNumbering<'a> {
     pub(super) block: usize,
     pub(super) stencil: usize,
     pub(super) site_parameters: usize,
-    /// The number of prepared constants, which the plan's literals follow in memory.
+    /// The number of prepared constants; in memory, the plan's literals come after them.
     pub(super) prepared: usize,
 }
 
 impl Program {
-    /// Compiles a plan. The results go to the registers `places`, which are below `results`.
+    /// Compiles a plan. Result k goes to register `places[k]`, which is less than `results`.
     pub(super) fn of(
         plan: &Plan,
         places: impl IntoIterator<Item = usize>,
@@ -154,9 +154,8 @@ impl Program {
         self.instructions.push(Instruction { kind, to, operands, places });
     }
 
-    /// Returns the position of an operand. Registers come first and constants last, with
-    /// [`SITES_PER_INSTRUCTION`] numbers each. Between them come inputs, one array or parameter
-    /// after the other.
+    /// Returns the position of an operand in memory: first registers, then arrays and site
+    /// parameters, then constants. A register or constant takes [`SITES_PER_INSTRUCTION`] numbers.
     fn place(&self, operand: Operand) -> OperandOffset {
         let (numbers, registers) = match operand {
             Operand::Register(k) => (k * SITES_PER_INSTRUCTION, 0),
@@ -167,12 +166,12 @@ impl Program {
         OperandOffset { numbers, registers }
     }
 
-    /// Returns the offset of an array; for an index from `block` on, that of a site parameter.
+    /// Returns the offset of array `index`, or, from `block` on, of site parameter `index − block`.
     fn array(&self, index: usize) -> usize {
         self.registers * SITES_PER_INSTRUCTION + index * (SITES_PER_INSTRUCTION + 2 * self.reach * f64::MOST)
     }
 
-    /// Returns the size of the memory that holds several sites, in registers of the widest lanes.
+    /// Returns the memory for [`SITES_PER_INSTRUCTION`] sites, counted in widest SIMD registers.
     pub(super) fn registers_abreast(&self, constants: usize) -> usize {
         self.place(Operand::Constant(constants)).numbers.div_ceil(f64::MOST)
     }
@@ -203,8 +202,7 @@ impl Program {
         }
     }
 
-    /// Returns the results at the next site. If these are not known yet, computes several sites at
-    /// once.
+    /// Returns the results at the next site from a buffer, which is refilled if it is used up.
     #[inline(always)]
     pub(super) fn line<L: Lanes<f64>, const B: usize, const C: usize, const SITES: usize>(
         &self,
@@ -301,7 +299,7 @@ impl OverLanes<f64> for RunOverLanes<'_> {
         for &Instruction { kind, to, places, .. } in &program.instructions {
             let (before, rest) = self.numbers.split_at_mut(to * SITES_PER_INSTRUCTION);
             let (result, after) = rest.split_at_mut(SITES_PER_INSTRUCTION);
-            // A macro is used, because closures may be compiled without the level's instructions.
+            // A macro is used, because closures may lack this function's SIMD instructions.
             macro_rules! each {
                 (|$($operand:ident: $k:literal),*| $value:expr) => {{
                     $(

@@ -1,4 +1,4 @@
-//! A family with parameter values, as the [`LatticeMap`] that `kahan-core`'s solver steps.
+//! Implements [`LatticeMap`] for a family with parameter values, for `kahan-core`'s solver.
 
 use std::sync::Arc;
 

@@ -19,10 +19,10 @@ const CAN_RUN: bool = cfg!(feature = "jit");
 /// The number of steps that a field makes before the code of an elimination is compiled. Compiling
 /// pays after some 300 steps for 9 dense variables, and after 7000 for 50 sparse ones.
 const STEPS_BEFORE_CODE: u64 = 256;
-/// If a step has k times this number of operations, compilation waits for k further steps.
+/// A step of k times this number of operations is compiled after [`STEPS_BEFORE_CODE`] + k steps.
 const OPERATIONS_A_STEP: u64 = 8;
 
-/// The code for each key; `None` if compilation failed.
+/// A table of compiled code; keys are kinds of steps, a value is `None` if compilation failed.
 #[derive(Debug)]
 struct CodeTable<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
 
@@ -223,7 +223,7 @@ impl<T: MachineFloat> ColumnsCode<T> {
         let prepared = programs::prepared::<T>(engine, kind.is_general)?;
         let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
         Some(ColumnsCode {
-            // Constants are computed with separate roundings, so multiply-adds are not fused.
+            // Constants are computed by separate products and sums, without fused multiply-adds.
             constants: Function::compile(&prepared, Shape { fuses: false, ..shape }).ok()?,
             shared: Sweep::compile(&program, shape, Constants::Shared).ok()?,
             own: Sweep::compile(&program, shape, Constants::Own).ok()?,

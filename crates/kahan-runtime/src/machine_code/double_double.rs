@@ -149,7 +149,7 @@ impl Pair {
         let reciprocal = Double::number(1.0) / divisor.high;
         note_moderate(divisor.high, reciprocal);
         let is_ordinary = self.high.literal().is_some_and(|value| {
-            // A quotient of such a number is far from overflow, and may be divided again.
+            // A quotient of such a dividend is far from overflow, and may be a dividend again.
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {

@@ -7,7 +7,7 @@ use crate::engine::RuntimeFloat;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct StepKind {
-    /// The precision of the state, and the precision in which a step is computed.
+    /// The precision in which states are stored, together with that in which steps are computed.
     pub(crate) precision: Precision,
     pub(crate) compensated: bool,
     /// Whether the step uses the formula that is valid for every scalar and every ε.
@@ -26,7 +26,7 @@ pub(crate) enum GroupKind {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct TangentKind {
-    /// The kind of the step, either of the point or of the variational field.
+    /// The kind of step, of the field itself or, if `is_variational`, of the variational field.
     pub(crate) kind: StepKind,
     /// Whether `kind` is a step of the variational field. If not, the program of
     /// [`MapObject::Tangent`](crate::engine::MapObject) propagates vectors.

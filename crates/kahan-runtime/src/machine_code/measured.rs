@@ -1,5 +1,5 @@
-//! Prints the size of a step's machine code for each system of the catalog, and the same operations
-//! in Rust. The script `arm/steps` compiles the Rust and compares the numbers of instructions.
+//! For each system of the catalog, prints the size of a step's machine code, and Rust source with
+//! the same operations, which the script `arm/steps` compiles for comparison.
 
 use std::fmt::Write;
 

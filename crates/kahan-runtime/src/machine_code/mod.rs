@@ -1,8 +1,8 @@
-//! Steps and objects of a field as machine code, compiled at first use.
+//! Steps and derived functions of a field as machine code, compiled at first use.
 //!
 //! In: the plans of a field, and the kind of step. Out: code, shared by all maps of the field. The
-//! interpreter makes steps without code: without the feature `jit`, on other processors, and of
-//! plans with too many operations.
+//! interpreter makes the steps without the feature `jit`, on processors other than x86-64 and
+//! AArch64, and for plans with too many operations.
 
 mod codes;
 mod double_double;

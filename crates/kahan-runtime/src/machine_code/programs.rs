@@ -117,8 +117,8 @@ impl StepKind {
 }
 
 impl TangentKind {
-    /// Returns the program of a point, of tangent vectors after it, and of their squared lengths if
-    /// requested. `None` for a step that branches.
+    /// Returns the program that advances a point and its tangent vectors, and on request computes
+    /// the squared lengths of the vectors. `None` for a step that branches.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.kind.is_general);
         let n = engine.dimension() / if self.is_variational { 2 } else { 1 };
@@ -152,7 +152,7 @@ impl TangentKind {
     }
 }
 
-/// Returns the tangent vector at the next point, from a state as in [`Object::Tangent`].
+/// Returns (∂x̃/∂x)·v for a tangent vector v at x; `state` is x, v, x̃ and n unused numbers.
 fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]) -> Option<Vec<Traced<T>>> {
     let [prepared, _] = engine.steps().form(kind.is_general).lines()?;
     let (line, first) = (engine.line(MapObject::Tangent)?, prepared.outputs());

@@ -32,7 +32,8 @@ pub struct ObservationRequest<'a> {
     pub exponents: usize,
     /// The bound on |xᵢ| beyond which an orbit has escaped and ends; `None` for no bound.
     pub escape: Option<f64>,
-    /// The relations of a lifted field, if tangent vectors are in the original variables.
+    /// The relations that define the added variables of a lifted field, if tangent vectors are in
+    /// the original variables.
     pub relations: Option<&'a dyn Relations>,
 }
 
@@ -49,8 +50,8 @@ impl ObservationRequest<'_> {
 pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
     /// Observes the orbit of `start`, which ends at a nonfinite point or beyond the bound.
     ///
-    /// `step` makes the steps of the orbit; if `step` is `None`, `at` makes them. Observers always
-    /// evaluate `at`. The callback `tell` receives numbers of steps, and may stop the orbit.
+    /// `step`, or `at` if `step` is `None`, makes the steps; derivatives and integrals always come
+    /// from `at`. The callback `tell` receives numbers of steps, and may stop the orbit.
     ///
     /// # Errors
     /// [`DimensionError`] if `start` does not have one entry for each variable.

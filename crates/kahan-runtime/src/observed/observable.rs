@@ -10,7 +10,7 @@ use crate::PassedPoleCount;
 pub(super) struct ObservableInfo {
     pub(super) name: &'static str,
     of: ColumnScope,
-    /// The names of the columns and their meanings; `{}` stands for a variable, integral or number.
+    /// Names and meanings of the columns; `{}` is replaced by a variable, an integral or an index.
     columns: &'static [(&'static str, &'static str)],
     follows: ObservedPart,
     is_usual: bool,
@@ -18,7 +18,7 @@ pub(super) struct ObservableInfo {
     is_logarithmic: bool,
 }
 
-/// The items that have columns: the orbit, each variable, each integral, or each number.
+/// The items for each of which an observable has columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ColumnScope {
     Orbit,
@@ -120,8 +120,8 @@ impl Observable {
         self.about().name
     }
 
-    /// Returns the name in results; for an observable of the whole orbit, the name of its first
-    /// column.
+    /// Returns the name in results: the name in requests, or, if the columns belong to the orbit as
+    /// a whole, the name of the first column.
     #[must_use]
     pub fn key(self) -> &'static str {
         let ObservableInfo { name, of, columns, .. } = self.about();

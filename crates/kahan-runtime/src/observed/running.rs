@@ -316,10 +316,10 @@ pub(super) fn observe_one<T: MachineFloat + EmbedScalar + PartialOrd>(
     let observers = WhileFinite::within(bound, all(at, asked));
     let Followed { report: own, end } = step.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
     let Followed { report: (mut seen, middles), end: seen_end } = own;
-    // If an observer ended the orbit, this end replaces the end of the run.
+    // If an observer ended the orbit, report its end instead of the end of the loop.
     let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
-        // If the first pass was stopped, the second pass is left out.
+        // The second pass makes as many steps as the first, or none if the first was stopped.
         let steps = end.steps(asked.steps);
         let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
         let turns = step.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;

@@ -1,4 +1,4 @@
-//! The tangent map of an orbit; in a lifted field, for tangent vectors in the original variables.
+//! Propagates tangent vectors, for a lifted field those of the original variables, along an orbit.
 //!
 //! Lifting adds variables w = g(x). A tangent vector e of x then corresponds to (e, Dg·e), where Dg
 //! is the Jacobian of g. The space of these vectors, called the plane, is propagated from point to
@@ -48,7 +48,7 @@ pub(super) struct CarriedPlane<'a, T: MachineFloat> {
     relations: &'a dyn Relations,
     parameters: Vec<f64>,
     place: Vec<T>,
-    /// The rows are tangent vectors. In the original variables, row i is the unit vector of axis i.
+    /// Basis vectors of the plane. In the original variables, row i is the i-th unit vector.
     basis: Vec<Vec<T>>,
     /// The images of the rows of `basis` under the last step, restricted to the original variables.
     images: Vec<Vec<T>>,
@@ -122,7 +122,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
             *largest = largest.max(row.iter().copied().fold(0.0, squares));
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
-            // If `largest` is 0, the added variable does not occur in the equations.
+            // `largest` is 0 for an added variable that no equation contains; its error is ignored.
             let is_near = error <= LARGEST_DERIVATIVE_ERROR * LARGEST_DERIVATIVE_ERROR * *largest;
             is_far |= *largest > 0.0 && !is_near;
         }

@@ -13,7 +13,7 @@ use crate::interpreted::{LARGEST_DIMENSION, Padded, UnsupportedDimension, round}
 
 /// An orbit through poles with its current point; begun by [`Map::projective_orbit`].
 pub trait ProjectiveOrbit<T> {
-    /// Makes one step, or returns an error if the next point does not exist.
+    /// Makes one step. If no next point exists, returns an error, with the reason if known.
     fn advance(&mut self) -> Result<(), Option<SingularStep>>;
 
     /// Returns the coordinates. At a point at infinity, finite coordinates are returned as 0.

@@ -32,8 +32,8 @@ pub struct RationalCycle {
 }
 
 impl RationalCycle {
-    /// Returns the cycle with its multipliers on a level set of independent integrals. For each of
-    /// the `integrals` integrals, one multiplier 1 is divided out.
+    /// Returns the cycle without one multiplier 1 for each of `integrals` independent integrals.
+    /// The other multipliers describe perturbations that keep these integrals constant.
     #[must_use]
     pub fn on_leaf(self, integrals: usize) -> Self {
         let own = &Polynomial::variable(Z) - &Polynomial::one();

@@ -34,8 +34,8 @@ fn equilibria_of_the_flow_are_fixed_points_of_the_map() {
 
 #[test]
 fn a_rational_cycle_of_three_is_proved() {
-    // In one variable the map is a Möbius transformation. The field has the discriminant −3, and
-    // the map turns by the angle with tangent √3, so the map has order 3.
+    // In one variable the map is a Möbius transformation. At ε = 1 its matrix is similar to a
+    // multiple of the rotation by arctan(ε√3) = π/3, so the map has order 3.
     let map = Field::parse("xdot = x^2 + x + 1;").unwrap().map().unwrap();
     let eps = Rational::one();
     let at = map.at(1.0);
@@ -49,8 +49,8 @@ fn a_rational_cycle_of_three_is_proved() {
 
 #[test]
 fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
-    // The equation (x̃ − x)/2ε = F(x,x̃) gives A(x,ε) ∂x̃/∂ε = (x̃ − x)/ε, and A(x,ε) ∂x̃/∂p = 2ε
-    // ∂F/∂p for a parameter p.
+    // With the polarised field F, (x̃ − x)/2ε = F(x,x̃) gives A(x,ε) ∂x̃/∂ε = (x̃ − x)/ε, and for a
+    // parameter p, A(x,ε) ∂x̃/∂p = 2ε ∂F/∂p.
     let text = "xdot = r*x*y + s; ydot = y - x^2/r;";
     let map = Field::parse(text).unwrap().with([("r", 0.75), ("s", 1.5)]).unwrap();
     let (eps, x) = (0.125, [0.5, -0.25]);
@@ -205,8 +205,8 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (BranchChange::ThroughCircle, 470.0 / 19.0, 1e-9);
-    // Near r = 1 the residual is the cube of the distance from the branch, and r − 1 is its square.
-    // A residual of 10⁻¹² therefore gives an error of 10⁻⁸ in r.
+    // Near r = 1, a point at the distance d from the branch has a residual of order d³ and an error
+    // of order d² in r. A residual of 10⁻¹² therefore gives an error of 10⁻⁸ in r.
     let fold = (BranchChange::Fold, 1.0, 1e-7);
     assert!(has_turns(&branch, &[hopf, fold, hopf]), "{:?}", branch.turns);
     let last = branch.points.last().unwrap();
@@ -215,8 +215,8 @@ fn the_lorenz_system_changes_where_the_flow_does() {
 
 #[test]
 fn cycles_of_maps_that_keep_a_volume_keep_it() {
-    // A density has equal values at the beginning and the end of a cycle, so the product of the
-    // multipliers is 1. In the plane they are m and 1/m.
+    // The map preserves a measure, whose density is equal at both ends of a cycle, so the product
+    // of the multipliers is 1. In two variables, the multipliers are thus m and 1/m.
     let plane = "xdot = y - x^2/3 + y^2; ydot = -x + 2*x*y/3 - x^2/2;";
     let top = "xdot = y*z; ydot = -2*x*z; zdot = x*y;";
     let cycles = [

@@ -141,7 +141,7 @@ fn an_orbit_ends_at_a_pole_and_says_so() {
     assert_eq!(orbit.point(), vec![Rational::new(1, 2)]);
     assert_eq!(orbit.stopped(), Some(Stop::Pole));
     assert_eq!(orbit.next(), None);
-    // E1 has a removable pole at 1 + εx = 0, which does not end the orbit.
+    // In the catalog's system E1, det A vanishes at 1 + εx = 0, but the reduced map is defined.
     let mut removable = self::orbit(&catalog("e1"), "", "1/2", "-2,1,1/3");
     assert!(removable.nth(1).is_some());
 }

@@ -8,7 +8,7 @@ use super::support::Random;
 enum Kind {
     /// Each variable depends on this number of arbitrary variables.
     Anywhere(usize),
-    /// Each variable depends on this number of variables up to itself.
+    /// Variable i depends on this number of variables with indices up to i.
     Triangular(usize),
     /// The first variable depends on all others, and all others depend on the first.
     Arrow,

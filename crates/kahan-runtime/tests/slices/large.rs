@@ -122,8 +122,8 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     assert!((total(&state) - total(&x)).abs() < 1e-11, "{}", total(&state) - total(&x));
 }
 
-/// The column of the lattice with index j starts near 1 + 4j, so at ε = 1/8 most diagonal entries
-/// of A nearly vanish.
+/// In column j of the grid, variables start near 1 + 4j. Interior diagonal entries of A are then
+/// near 1 − 8ε, which is 0 at ε = 1/8.
 #[test]
 fn a_lattice_without_pivots_on_the_diagonal_obeys_its_linear_equations() {
     const SIDE: usize = 15;

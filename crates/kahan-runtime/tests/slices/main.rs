@@ -1,4 +1,4 @@
-//! Fields read at run time, whose maps step slices.
+//! Tests of maps of fields that are read at run time; states are slices.
 
 mod catalog;
 mod coefficients;

@@ -55,7 +55,7 @@ impl fmt::Display for Number {
             Self::F64(value) => write!(f, "{value:?}"),
             Self::Dd(value) => {
                 let text = value.to_string();
-                // A whole number is written with `.0`, as the other floats above.
+                // Whole numbers are written with `.0`, as `{:?}` writes `f32` and `f64`.
                 let end = if value.is_finite() && !text.contains(['.', 'e']) { ".0" } else { "" };
                 write!(f, "{text}{end}")
             }
@@ -65,7 +65,7 @@ impl fmt::Display for Number {
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        // Parses the shortest decimal of an `f32`, or all digits of a `Dd`.
+        // By way of text, JSON gets the shortest decimal of an `f32`, and all digits of a `Dd`.
         let written = |text: String| text.parse::<serde_json::Number>().ok();
         match self {
             Self::Exact(value) => serializer.collect_str(value),

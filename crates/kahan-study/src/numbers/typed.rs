@@ -19,7 +19,7 @@ pub fn number(text: &str) -> Result<Rational, String> {
     })
 }
 
-/// Returns whether the text is a decimal followed by an exponent, such as 1e999999999.
+/// Returns whether a text that could not be read has a decimal exponent, such as 1e999999999.
 fn has_large_exponent(text: &str) -> bool {
     let parts = text.split(['e', 'E']).collect::<Vec<_>>();
     let [mantissa, exponent] = parts[..] else { return false };

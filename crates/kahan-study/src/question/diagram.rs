@@ -47,7 +47,7 @@ pub struct Diagram {
     /// The formula that vanishes on the section; without a formula, all steps are shown.
     #[serde(default)]
     pub plane: Option<String>,
-    /// The sign changes of the formula that are crossings: rising, falling or both.
+    /// Whether rising, falling or all sign changes of the formula are crossings.
     #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
     /// The most crossings to show.
@@ -112,7 +112,7 @@ impl Diagram {
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, missing values, an unknown axis or variable, or a
-    /// plane that is not a formula.
+    /// text `plane` that is not a formula.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<DiagramFound, StudyError> {
         study.proved()?;
         study.can_reembed(self.reembed)?;

@@ -48,7 +48,7 @@ impl Default for Discover {
 pub struct Discovered {
     /// The name of the system.
     pub system: String,
-    /// The field with its own claims.
+    /// The field with the claims in its own text, without the findings.
     pub field: System,
     /// The fixed parameters; the others are generic.
     pub fixed: Names<Rational>,
@@ -163,7 +163,7 @@ impl Discovered {
     /// Iterates over the claims of the [readable field](Self::readable).
     fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let replaced = self.report.replaced();
-        // Integrals come first, so their indices are the indices of the claims.
+        // `replaced` holds indices of integrals, which are the first claims.
         let kept = self.claims().enumerate().filter(move |(index, _)| !replaced.contains(index));
         kept.map(|(_, claim)| claim).filter(|(text, _)| text.len() <= MOST_READABLE)
     }
@@ -174,8 +174,8 @@ impl Discovered {
         self.readable_parts().map(|(text, _)| text).collect()
     }
 
-    /// Returns the field with the claims for display, without long texts, and without integrals
-    /// that a compact modified Hamiltonian replaces.
+    /// Returns the field with the claims that are short enough to display, but without integrals
+    /// for which the report has a compact modified Hamiltonian.
     #[must_use]
     pub fn readable(&self) -> System {
         let claims = self.readable_parts().map(|(_, claim)| claim.clone()).collect();
@@ -217,8 +217,8 @@ impl Discovered {
     }
 }
 
-/// Writes the relation Σ c(m) m = 0 between monomials m along an orbit as a JSON object. The
-/// quotients of the coefficients c(m) are integrals.
+/// Writes a linear relation Σ c(m)·m = 0 between monomials m at all points of an orbit as a JSON
+/// object. Quotients of the coefficients c(m) are integrals.
 fn relation(basis: &Basis, variables: &[String]) -> Value {
     let monomials = basis.monomial_texts(variables);
     let unit = &monomials[basis.unit];

@@ -1,4 +1,4 @@
-//! Evaluates every object of a system at one point, exactly or in floats.
+//! Evaluates field, matrices, map and claims of a system at one point, exactly or in floats.
 
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::Point;
@@ -74,8 +74,8 @@ pub struct Evaluated {
     /// The brackets of the claims that apply; the matrix of each bracket is given row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
-    /// The drifts of the claims that apply. A drift claims that a formula gives F(x̃) from x, so
-    /// its two values are F(x) and F(x̃).
+    /// The claimed drifts that apply. A drift claims how the map changes a function F; its two
+    /// values are F(x) and the claimed F(x̃), computed from x.
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
     /// The reason why the point has no image.

@@ -52,7 +52,7 @@ macro_rules! questions {
         #[serde(untagged)]
         pub enum Answer {
             $($(#[cfg(feature = $feature)])? $(#[$about])* $question(Box<$answer>),)*
-            /// A table with a row for each value.
+            /// A table with a row for each combination of axis values.
             Over(Box<OverFound>),
         }
 
@@ -72,8 +72,8 @@ macro_rules! questions {
                 }
             }
 
-            /// Returns the question in the form in which [`Over`] asks it at each cell. Fails for a
-            /// question whose answer does not fit into a row of a table.
+            /// Returns the question as [`Over`] asks it at each combination of axis values. Fails
+            /// for a question whose answer does not fit into a row of a table.
             fn at_cell(&self) -> Result<&dyn AtCell, StudyError> {
                 match self {
                     $($(Self::$question(asked) => Ok(asked as &dyn $at_cell),)?)*

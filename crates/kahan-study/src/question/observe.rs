@@ -1,6 +1,6 @@
 //! Observables of an orbit: exponents, chaos indicators, rotation, drift, escape.
 //!
-//! No orbit is stored. Rotation needs two runs; the first finds the middle of each range.
+//! No orbit is stored. Rotation needs two runs; the first finds the midrange of each variable.
 
 use std::ops::ControlFlow;
 
@@ -24,7 +24,7 @@ use super::{NoOrbit, usual_order};
 
 pub use kahan_runtime::{Observable, ObservedValue};
 
-/// The message of `expect` for calls of a map that succeed because lengths and types match.
+/// The message of `expect` for calls that succeed because their arguments have matching lengths.
 pub(super) const ARGUMENTS_FIT: &str = "a column a variable, all of one length, and a map an orbit";
 const LAST_POINT_REQUESTED: &str = "the last point was asked for";
 
@@ -346,7 +346,7 @@ impl Observe {
     ///
     /// # Errors
     /// [`StudyError`]: an unknown order, a count of 0, projection of a field without a lift, or
-    /// projection with an observable of the map itself.
+    /// projection with an observable that does not depend on points alone.
     pub fn composition(&self, study: &Study) -> Result<Composition, StudyError> {
         if self.reembed {
             study.can_reembed(true)?;

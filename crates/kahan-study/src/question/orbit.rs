@@ -1,6 +1,6 @@
 //! The points of an orbit with the integrals at them, as a table that may exceed memory.
 //!
-//! [`points`] makes rows from any moving point; [`maps`] and [`methods`] provide the moving points.
+//! [`points`] makes rows for any method of stepping; [`maps`] and [`methods`] provide the methods.
 
 mod chain;
 mod maps;
@@ -128,7 +128,7 @@ pub enum NoOrbit {
     /// Symmetric projection is requested without a lift, in a scalar other than doubles, or for
     /// another method.
     Reembed,
-    /// Projected steps are requested with this observable of the map itself.
+    /// Projected steps are requested with this observable, which requires unprojected steps.
     OfTheMap(&'static str),
     /// A projective orbit is requested in too many variables.
     Projective(UnsupportedDimension),
@@ -317,7 +317,7 @@ impl Orbit {
         self.method == Method::Kahan && self.order == usual_order() && !self.reembed
     }
 
-    /// Returns the study whose unconditional integrals are those that the orbit preserves.
+    /// Returns `study`; for Kahan's map, claims whose conditions hold at ε become unconditional.
     ///
     /// # Errors
     /// The errors of [`Study::at_step`].
@@ -417,8 +417,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = OrbitRows { arithmetic, columns: &all, eps, paces };
-            // Rates are checked for Kahan's map only, not near infinity, and not for exact orbits,
-            // whose long steps are deliberate.
+            // ‖f′‖ is compared with 1/ε for Kahan's map only, not near infinity, and not for exact
+            // orbits, whose long steps are deliberate.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective
@@ -457,7 +457,7 @@ impl Orbit {
     }
 }
 
-/// A consumer that passes on some columns, and checks the field's rates at some rows.
+/// A consumer that passes on some columns, and compares f′(x) with 1/ε at some rows.
 struct ColumnSelection<'a> {
     columns: &'a [Column],
     places: Vec<usize>,

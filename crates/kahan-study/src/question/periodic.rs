@@ -37,15 +37,15 @@ const MOST_UNKNOWNS: usize = 250;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
-    /// ε, half the time step. The default is the first value of `over`, or for steady states
-    /// follows from the field's rates.
+    /// ε, half the time step. The default is the first value of `over`, or for steady states a
+    /// power of two at which no entry of ∂x̃/∂x − I is much larger than 1.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// A point near the cycle; if empty, the first point in the text.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// A multiple of the period of the cycle. If ε is unknown: roughly the number of steps of the
-    /// limit cycle at `eps`, or 1 if the search must find this number.
+    /// A multiple of the cycle's period. If ε is unknown: about the number of steps in the limit
+    /// cycle at `eps`; 1 lets the search choose this number.
     #[serde(default = "one")]
     pub period: usize,
     /// A further unknown besides the points of the cycle. If this is ε, the search finds limit
@@ -58,7 +58,7 @@ pub struct Periodic {
     /// The axis of the branch: a parameter, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
-    /// The integrals that keep their values at the point `at` during the search.
+    /// During the search, these integrals keep the values that they have at the point `at`.
     #[serde(default)]
     pub hold: HeldIntegrals,
 }
@@ -132,8 +132,8 @@ impl Periodic {
         self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64())
     }
 
-    /// Searches by Newton's method; the claims of the system must hold. Each Newton step costs the
-    /// elimination of a dense matrix with a row for each number of the cycle.
+    /// Searches by Newton's method; the claims of the system must hold. Each Newton step eliminates
+    /// a dense matrix, with a row for each coordinate of each point of the cycle.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
@@ -363,8 +363,8 @@ impl Family {
     }
 }
 
-/// Returns the linear integrals of the field, for generic values of the varied parameter. Each
-/// integral eliminates a variable that is small at `start`.
+/// Returns the linear integrals that the field has for almost all values of the varied parameter.
+/// Each integral can be solved for a variable that is small at `start`.
 fn integrals(
     study: &Study,
     changes: Option<usize>,

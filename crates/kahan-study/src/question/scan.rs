@@ -18,8 +18,8 @@ use super::{minute, seconds_since};
 
 const MOST_POINTS: usize = 1_000_000;
 
-/// A request for grid points at which degrees or ranks differ from the generic values, and for
-/// relations that such points satisfy.
+/// A request for grid points at which the degrees of the map's iterates, or the Hilbert function of
+/// its orbits, differ from the generic values, and for relations that such points satisfy.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {

@@ -45,7 +45,7 @@ pub struct Section {
     /// The formula that vanishes on the section, in the variables, the integrals claimed without a
     /// condition, the parameters and `eps`.
     pub plane: String,
-    /// The sign changes of the formula that are crossings: rising, falling or both.
+    /// Whether rising, falling or all sign changes of the formula are crossings.
     #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
     /// The most crossings of an orbit; `None` for all.
@@ -187,8 +187,8 @@ impl Section {
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
-    /// doubles, a plane that is not a formula or is constant, a field that is undefined at its
-    /// parameters, or axes that the question does not allow.
+    /// doubles, a text `plane` that is not a formula or is constant, a field that is undefined at
+    /// its parameters, or axes that the question does not allow.
     pub fn find(
         &self,
         study: &Study,

@@ -82,7 +82,7 @@ pub struct FormulaSheet {
     pub variables: Vec<String>,
     /// The parameters without values.
     pub parameters: Vec<String>,
-    /// If the field depends on ε, the field with which the map is made; otherwise `None`.
+    /// The field with its dependence on ε, from which the map is made; `None` without dependence.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
     /// The field f(x), at ε = 0 if it depends on ε. f′ and Q are derived from this field.

@@ -1,4 +1,4 @@
-//! Verifies claims of the paper or of a field, and whether they fail after a change.
+//! Verifies the claims of a field, or of Hone and Petrera's paper, and that changed claims fail.
 
 use kahan_algebra::render::claim_text;
 use kahan_discover::Watch;

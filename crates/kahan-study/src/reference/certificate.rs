@@ -82,8 +82,8 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // If steps are short or the difference is tiny, and more steps bring no gain, only
-            // rounding errors are left.
+            // Only rounding errors are left if more steps bring no gain, although steps are at most
+            // 1/(2‖f′‖) long or the difference is tiny.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {

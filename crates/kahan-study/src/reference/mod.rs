@@ -22,7 +22,8 @@ pub use certificate::{Certificate, Method};
 pub use no_reference::NoReference;
 pub use path::TrajectoryLimits;
 
-/// The largest allowed difference of the two methods, as a fraction of the tolerance of orbits.
+/// Two methods compute the reference, and may differ by this fraction of the error that is allowed
+/// in the orbits compared with it.
 pub const PART_OF_TOLERANCE: f64 = 1e-2;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).
@@ -37,7 +38,7 @@ pub struct Reference {
 /// A request for a reference trajectory.
 #[derive(Clone, Copy, Debug)]
 pub struct Trajectory<'a> {
-    /// The name of the system in the catalog, or any other text for a field outside of it.
+    /// The system's name in the catalog, which selects a closed solution; else any text.
     pub command: &'a str,
     /// The parameters.
     pub parameters: &'a [BigRational],
@@ -53,8 +54,8 @@ impl Reference {
     /// Computes the trajectory of a field over double-double numbers. A start with fewer than N
     /// coordinates is padded by zeros.
     ///
-    /// Costs about 250 evaluations of the bilinear form for each step of the series, and the steps
-    /// of the composition.
+    /// Costs about 250 evaluations of the bilinear form for each Taylor step, and for the check the
+    /// steps of a composition, or some evaluations of the closed solution.
     ///
     /// # Errors
     /// [`NoReference`].

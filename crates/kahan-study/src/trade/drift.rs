@@ -1,4 +1,4 @@
-//! The drift along orbits of the integrals of the map and of the flow.
+//! Measures how much the integrals of the map, and those of the flow, change along orbits.
 
 use kahan_core::Dd;
 

@@ -17,7 +17,7 @@ use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::inspected_steps;
 
-/// The number of points at which integrals are evaluated beside a trajectory.
+/// If errors of trajectories are measured, integrals are evaluated at this number of points.
 const INTEGRAL_SAMPLES: usize = 32;
 
 pub(super) struct SettingMeasurements<'a> {

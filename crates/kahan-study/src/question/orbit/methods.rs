@@ -47,7 +47,6 @@ impl<A: PointArithmetic> ExplicitOrbit<'_, A> {
         plan.evaluate(self.arithmetic, |input| match symbols.symbol(input.variable()?) {
             Symbol::State(i) | Symbol::SecondState(i) => Some(x[i].clone()),
             Symbol::Parameter(k) => Some(self.parameters[k].clone()),
-            // Here the field does not depend on ε. At ε = 0 the integrals are those of the flow.
             Symbol::Epsilon => Some(A::round(&Rational::zero())),
         })
     }

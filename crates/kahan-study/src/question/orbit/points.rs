@@ -26,8 +26,7 @@ pub(super) enum EarlyEnd {
 
 #[derive(Clone, Copy)]
 pub(super) enum EndReason {
-    /// det A = 0. If the map is reduced, it is undefined at the point; otherwise it may be defined
-    /// there.
+    /// det A = 0. If the map is not in lowest terms, the point counts as a pole nevertheless.
     Pole { is_reduced: bool },
     /// det A = 0 at a stage of a composition.
     StagePole,
@@ -248,7 +247,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: EndReason, at: &[
              point is {point}; {kept}"
         ),
     };
-    // In floats, rounding decides whether a determinant at a pole is 0.
+    // In floats, rounding decides whether det A is 0 at a pole, so the end is `End::Range`.
     let end = match why {
         EndReason::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
         EndReason::NoLimit(_) => End::Pole(n),

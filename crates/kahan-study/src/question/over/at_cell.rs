@@ -1,6 +1,6 @@
 //! Rows of a table for questions about one point or one map, asked at each cell of a grid.
 //!
-//! Searches end by degree and not by time, so that results do not depend on the machine's speed.
+//! Searches are limited by degree, not by time, so that results do not depend on the machine.
 
 use kahan_algebra::rational::Rational;
 

@@ -36,11 +36,11 @@ pub(in crate::question) struct CellInputs<V> {
 /// to the first axis; first points vary slowest.
 pub(in crate::question) struct Cells<'a> {
     pub(in crate::question) axes: Vec<ResolvedAxis<'a>>,
-    /// The number of axes, at the end of the list, that have one value for each first point instead
-    /// of being combined with all.
+    /// The number of axes at the end of the list that have exactly one value for each first point;
+    /// the other axes are combined with all first points.
     with_starts: usize,
     starts: &'a [Vec<Rational>],
-    /// The values of the question, which the axes replace.
+    /// Point, parameters and ε in the question, used unless an axis replaces them.
     exactly: CellInputs<Rational>,
     in_doubles: CellInputs<f64>,
     draws: u64,
@@ -162,8 +162,7 @@ impl<'a> Cells<'a> {
         index / (self.count / self.starts.len().max(1) as u64)
     }
 
-    /// Returns the number of values on the last of the axes that are combined with all first
-    /// points.
+    /// Returns the number of values on the last axis, not counting the `with_starts` axes.
     pub(in crate::question) fn last_count(&self) -> u64 {
         let multiplied = &self.axes[..self.axes.len() - self.with_starts];
         multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)

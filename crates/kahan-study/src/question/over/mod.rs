@@ -1,7 +1,7 @@
-//! A question at every combination of values on some axes: a chart, or a sweep.
+//! A question at every combination of values on some axes, for charts and sweeps.
 //!
-//! The answer is a table with a row for each cell. A row depends only on its number, not on
-//! threads, time, or other cells.
+//! The answer is a table with a row for each cell (combination). The question and the row's number
+//! determine a row, independently of threads, time and other rows.
 
 mod at_cell;
 mod axis;

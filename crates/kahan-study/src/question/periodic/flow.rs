@@ -17,7 +17,7 @@ use crate::range::Axis;
 
 use super::{Family, Periodic};
 
-/// The largest number of values stored along a cycle, for Newton steps of about a second.
+/// The largest number of values stored along a cycle; a Newton step then takes about a second.
 const MOST_NUMBERS: usize = 4_000_000;
 
 /// Returns the number of values that are stored for each point of a cycle in n variables.
@@ -25,7 +25,7 @@ fn numbers(n: usize) -> usize {
     n * (n + 4)
 }
 
-/// Period and parameter of a limit cycle, extrapolated from N, 2N, 4N, … steps.
+/// Period and parameter of a limit cycle, extrapolated from cycles with N, 2N, 4N, … points.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowFound {
     /// The period.
@@ -164,9 +164,9 @@ impl Parametric for FlowAt<'_> {
 }
 
 impl Family {
-    /// Returns the map at a value of the varied parameter and an ε, with the derivative by
-    /// parameter `by` or by ε. If the watch has cancelled the work, ε is NaN, which ends every
-    /// search.
+    /// Returns the map at a value of the varied parameter and an ε, with its derivative with
+    /// respect to parameter `by`, or to ε if `by` is `None`. If the watch has cancelled the work, ε
+    /// is NaN, which ends every search.
     fn flow_at(
         &self,
         value: f64,
@@ -189,9 +189,9 @@ impl Family {
         begin: f64,
         count: &WorkCount<'_>,
     ) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The most points of an orbit in which returns are sought by default.
+        /// The most points searched for returns, if no number of steps is requested.
         const MOST_POINTS: usize = 256_000;
-        /// The most steps until a return by default.
+        /// The most steps until a return, if no number of steps is requested.
         const MOST_STEPS: usize = 20_000;
         /// The largest accepted relative deviation from the requested number of steps.
         const NEAR: f64 = 0.1;
@@ -202,8 +202,8 @@ impl Family {
         let (eps, wanted) = (self.eps.to_f64(), (asked.period > 1).then_some(asked.period));
         let search = |start: &[f64], eps: f64, steps: usize| {
             let found = flow_cycle(map, start, eps, steps)?;
-            // A cycle that goes round several times is replaced by one round, which then has fewer
-            // steps than requested.
+            // If the cycle goes round several times, `flow_cycle` returns a single round, which has
+            // fewer steps than requested.
             let is_it = found.is_near(wanted.unwrap_or(found.cycle.points.len()), eps);
             if is_it { Ok(found) } else { Err(NoPeriodicPoint::NoReturn) }
         };
@@ -238,7 +238,7 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                // If a cycle goes round twice, both rounds get equally many steps.
+                // An even number of steps can be divided equally between two rounds of a cycle.
                 let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
@@ -315,7 +315,7 @@ type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
     let is_like = |mark: BranchPointKind| move |point: &&BranchPoint| point.mark == mark;
     let extrapolate = |(index, point): (usize, &BranchPoint)| {
-        // A branch may pass a value several times; count the earlier passages.
+        // A mark may occur several times on a branch; `before` counts the earlier occurrences.
         let before = branches[0].points[..index].iter().filter(is_like(point.mark)).count();
         let alike =
             branches.iter().map(|one| one.points.iter().filter(is_like(point.mark)).nth(before).cloned());

@@ -50,7 +50,7 @@ impl<'a> Orbits<'a> {
         let (place, (in_doubles, _)) = (cells.exactly(0), cells.in_doubles(0));
         Plane::of(system, &place.parameters, &place.eps, &asked.plane)?;
         if !asked.is_of_many() {
-            // If only one orbit is requested, a mistake in it is an error.
+            // A mistake in the only orbit is an error; a mistake in one of many ends that orbit.
             study.in_floats(&place.at, &place.eps)?;
         }
         study.within_range(&in_doubles.at, in_doubles.eps)?;

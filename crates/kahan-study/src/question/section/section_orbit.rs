@@ -38,7 +38,7 @@ impl CrossingBuffer {
     }
 }
 
-/// A consumer that stores crossings in the form of the table.
+/// A consumer that stores each coordinate of the crossings in a column, as tables do.
 pub(super) struct BufferedCrossings<'a> {
     pub(super) kept: &'a mut CrossingBuffer,
     pub(super) study: &'a Study,
@@ -158,8 +158,7 @@ impl SectionOrbit {
         self.end = (end != End::Complete).then(|| end.after(before));
     }
 
-    /// Passes a row for each crossing to a consumer, with `values` before the crossing, and empties
-    /// the buffer.
+    /// Passes a row for each crossing, with `values` to its left, and empties the buffer.
     pub(super) fn pass_crossings(
         &mut self,
         columns: &[Column],

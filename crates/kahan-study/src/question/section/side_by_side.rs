@@ -101,7 +101,7 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for LaneObserver<'_, '_, F> {
 
     fn report(self) {}
 
-    /// Evaluates the formula on all orbits at once if the points of all steps are finite.
+    /// Evaluates the formula on all orbits at once; if a point is not finite, on each orbit alone.
     fn observe_burst<P: Grouped<f64>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let abreast = group.iter().flatten().find_map(|own| own.abreast);
         let last = burst.steps().last();

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::super::seconds_since;
 
-/// The operations of a system's generated code, and the times to derive and to plan them.
+/// The operation counts of a system's generated code, and the times of deriving and planning it.
 #[derive(Clone, Debug, Serialize)]
 pub struct ShownPlans {
     /// The name of the system.
@@ -18,7 +18,7 @@ pub struct ShownPlans {
     pub objects: Vec<FunctionCost>,
     /// The step as a straight-line program; `None` if the step is Gaussian elimination in a loop.
     pub step: Option<Listing>,
-    /// The step for every scalar; `None` unless `step` multiplies by 1/ε and so is only for floats.
+    /// The step for every scalar, if `step` multiplies by 1/ε and so is only for floats.
     pub general_step: Option<Listing>,
     /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
@@ -53,9 +53,9 @@ pub struct FunctionCost {
 pub struct Listing {
     /// The instructions that depend only on ε and the parameters, and are run once for many steps.
     pub constants: Vec<String>,
-    /// The instructions that compute the numerators and reciprocals from a state.
+    /// The instructions that compute the increments' numerators and 1/denominators from a state.
     pub kernel: Vec<String>,
-    /// The name of the reciprocal of each component; `None` if the component has no division.
+    /// For each component, the name of 1/denominator of the increment; `None` without division.
     pub reciprocals: Vec<Option<String>>,
     /// The instructions of x̃, one for each component.
     pub next: Vec<String>,
