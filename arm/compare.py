@@ -27,6 +27,10 @@ orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 4
 orbit e6 --eps 0.05 --at 1,2,3 --steps 300 --order 8
 orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --scalar f32
 orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 6 --scalar dd
+orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --fused
+orbit e6 --eps 0.05 --at 1,2,3 --steps 300 --fused --scalar dd --order 4
+orbit lv --eps 0.05 --at 1,2 --steps 1000 --fused --scalar f32
+dynamics e3 --eps 0.05 --at 1,2,3 --steps 1e4 --fused
 orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
 orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100
 orbit lv --eps 0.05 --at 1,2 --steps 1000 --method rk4

@@ -268,3 +268,26 @@ def test_a_time_step_is_twice_eps():
     ring = kahan.System("for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }")
     state = 1 + 0.5 * np.cos(np.arange(9))
     assert np.array_equal(ring.lattice(9, dt=0.02).step(state), ring.lattice(9, 0.01).step(state))
+
+
+def test_fused_steps_are_chosen_by_name():
+    plain = kahan.System(E6)
+    try:
+        fused = kahan.System(E6, fused=True)
+    except ValueError as error:
+        pytest.skip(str(error))
+    assert (plain.fused, fused.fused, kahan.catalog.e6(fused=True).fused) == (False, True, True)
+    orbit = fused.orbit([1, 2, 3], 0.05, 300)
+    assert not np.array_equal(orbit.x, plain.orbit([1, 2, 3], 0.05, 300).x)
+    assert np.allclose(orbit.x[:20], plain.orbit([1, 2, 3], 0.05, 19).x, rtol=1e-13)
+    assert np.array_equal(fused.step([1, 2, 3], 0.05), orbit.x[1])
+    assert np.array_equal(fused.ensemble(np.array([[1.0, 2, 3]] * 5), 0.05, 300).x[4], orbit.x[-1])
+    assert np.array_equal(pickle.loads(pickle.dumps(fused)).orbit([1, 2, 3], 0.05, 300).x, orbit.x)
+    assert fused != plain and fused(fused=False) == plain and fused() == fused
+    with_parameter = kahan.System("xdot = a*y; ydot = -x;", fused=True)
+    assert with_parameter(a=2).fused and with_parameter(a=2, fused=False) == kahan.System("xdot = a*y; ydot = -x;", a=2)
+    # A number is the value of a parameter of this name.
+    assert kahan.System("xdot = fused*x;", fused=2)(fused=3).parameters == {"fused": 3}
+    names = [f"x{i}" for i in range(10)]
+    with pytest.raises(ValueError, match="no fused steps"):
+        kahan.System("".join(f"{name}dot = {name}^2 - ({' + '.join(names)})^2;" for name in names), fused=True)

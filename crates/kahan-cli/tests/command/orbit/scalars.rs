@@ -188,3 +188,22 @@ fn an_integral_without_a_value_is_an_empty_cell_and_null() {
         assert!(object["rows"].as_array().expect("rows").iter().all(|row| row[5].is_null()), "{object}");
     }
 }
+
+#[test]
+fn fused_steps_have_digits_of_their_own() {
+    let asked =
+        |more: &[&'static str]| [&["e6", "--eps", "0.05", "--at", "1,2,3", "--steps", "300"], more].concat();
+    let last = |more: &[&'static str]| table(&answer(&asked(more))).1.pop().expect("a row");
+    assert_ne!(last(&["--fused"]), last(&[]));
+    assert_eq!(last(&["--fused", "--every", "7", "--transient", "6"])[2..], last(&["--fused"])[2..]);
+    let head =
+        |more: &[&'static str]| -> Value { serde_json::from_str(&answer(&asked(more))).expect("JSON") };
+    let fused = head(&["--fused", "--json"]);
+    assert_eq!((&fused["fused"], &fused["runs_as"]), (&json!(true), &json!("machine code")));
+    assert!(head(&["--json"]).get("fused").is_none());
+    for more in [["--method", "rk4"], ["--scalar", "exact"]] {
+        let output = kahan(&asked(&[&more[..], &["--fused"]].concat()));
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+        assert!(text(&output.stderr).contains("leave --method and --scalar exact out"), "{more:?}");
+    }
+}
