@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// The package of the process that times ensembles, and the name of its program.
+/// The package that times ensembles; its program has the same name.
 pub(crate) const ENSEMBLES: &str = "kahan-bench-ensembles";
 pub(crate) const RUN_TIME: &str = "kahan-bench-run-time";
 pub(crate) const TIERS: &str = "kahan-bench-tiers";

@@ -48,7 +48,7 @@ impl Field {
         }
     }
 
-    /// Computes the observables `of`. Returns columns, rows, and how the orbits ended.
+    /// Computes the observables that `of` names. Returns columns, rows, and how the orbits ended.
     #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, transient = 0, renormalize = 10, spectrum = None, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
@@ -346,7 +346,6 @@ impl Trajectories<f64> {
         caller: &Caller,
     ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
         let width = study.variables().len().max(1);
-        // Pieces are small, so that all threads get some.
         let together = (AT_ONCE / asked.steps_in_all().max(1)).clamp(16, 256) as usize;
         let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();
         let seen = threads::map(pieces.len(), Some(caller.threads()), |piece| {

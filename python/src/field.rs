@@ -88,7 +88,7 @@ impl Field {
         if let Some(at) = last.with_integrals.as_ref().filter(|at| at.eps() == eps) {
             return Ok(at.clone());
         }
-        // The float is replaced by its shortest decimal, and NaN or infinity by 0.
+        // Claims may need an exact ε: the float's shortest decimal, or 0 for NaN and infinity.
         let exact = number(&eps.to_string()).unwrap_or_else(|_| Rational::zero());
         let at = self.study.at_step(&exact).and_then(|study| Ok(study.map()?.at(eps)));
         let at = at.map_err(|error| of_study(py, &error))?;
@@ -153,7 +153,7 @@ impl Field {
         let values =
             self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
                 let other = first.get(k).and_then(|values| values.first());
-                // In place of a value that is not finite, the number 1 is used.
+                // No exact number is NaN or infinite, so 1 stands in; callers set the float later.
                 let exactly =
                     |value: &T| Rational::from_f64(value.approximate()).unwrap_or_else(Rational::one);
                 let other = other.map(exactly);
@@ -270,7 +270,7 @@ impl Field {
         self.study.name()
     }
 
-    /// Whether steps in floats fuse multiply-adds.
+    /// Whether steps in floats use fused multiply-adds.
     #[getter]
     fn fused(&self) -> bool {
         self.study.fuses()

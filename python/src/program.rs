@@ -28,7 +28,7 @@ impl Program {
         read.map(Program).map_err(|why| PyValueError::new_err(why.to_string()))
     }
 
-    /// The indices of the names for which the inputs have a row.
+    /// The indices of the names that the formulas use. Inputs have a row for each of these names.
     #[getter]
     fn needed(&self) -> Vec<usize> {
         self.0.needed()

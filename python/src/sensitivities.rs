@@ -87,7 +87,7 @@ struct SensitivityOptions<'py> {
 struct Vectors {
     names: Vec<String>,
     by: Vec<Sensitivity>,
-    /// The index of the variable for a derivative by an initial value; otherwise `None`.
+    /// For a derivative with respect to an initial value, the index of that variable; else `None`.
     starts: Vec<Option<usize>>,
     variables: usize,
 }

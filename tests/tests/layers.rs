@@ -175,7 +175,7 @@ impl Layered {
         let mut needs: Vec<Vec<String>> =
             ["crate::", &own].iter().flat_map(|root| after(text, root)).flat_map(paths).collect();
         for path in after(text, "super::").flat_map(paths) {
-            // In a module within the file, `super` leads less far up than `climbed` counts.
+            // In inline modules, `super` leads only to the file's module: `climbed` is 1 too large.
             let climbed = 1 + path.iter().take_while(|name| *name == "super").count();
             let rest = path.into_iter().skip(climbed - 1);
             let kept = module[..module.len().saturating_sub(climbed)].iter().map(|&name| name.to_owned());

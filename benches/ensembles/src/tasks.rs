@@ -11,7 +11,7 @@ use kahan_core::{Ensemble, KahanAt, Level, Reciprocal};
 use crate::bounds;
 use crate::counted::operations;
 
-/// The number of trajectories, whose states fit into the first-level cache.
+/// The number of trajectories, chosen so that their states fit into the first-level cache.
 pub(crate) const POINTS: usize = 512;
 
 const SEGMENT: usize = 1024;

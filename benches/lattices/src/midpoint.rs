@@ -1,6 +1,6 @@
 //! Compares Kahan's map of KdV and the implicit midpoint rule, both with the same banded solver.
-//! Newton's method for the midpoint rule solves linear systems with the matrix of Kahan's map. Only
-//! steps of the solver are timed.
+//! Newton's method for the midpoint rule solves linear systems with the matrix of Kahan's map. The
+//! preparation of the solver is not timed.
 
 use std::time::{Duration, Instant};
 
@@ -118,7 +118,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             at.step(&mut next);
             time += begun.elapsed() + evaluated;
             iterations += 1;
-            // The solver returns m + 2εs, where s solves the linear system of Newton's method.
+            // The solver returns m + 2εs for the midpoint m, where s solves Newton's linear system.
             let change: Vec<f64> = next.iter().zip(&m).map(|(next, m)| (next - m) / (2.0 * eps)).collect();
             m.iter_mut().zip(&change).for_each(|(m, change)| *m += change);
             if change.iter().all(|change| change.abs() < 1e-12) {

@@ -1,4 +1,4 @@
-//! Measures how the preserved and the original energies of conservative systems drift.
+//! Measures how energies drift: the one that a lifted map preserves, and that of the equations.
 
 use kahan_lift::{LiftCriterion, Reembedding};
 

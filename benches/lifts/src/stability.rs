@@ -1,8 +1,8 @@
 //! Compares the predicted with the observed growth of errors of a lift's relations.
 //!
-//! All lifts that `kahan lift` considers run at ε = 0.01 to the time 300. Lifts with relative
-//! errors above 0.05 in relations or states run again at ε/8 and ε/64. A lift is good if its errors
-//! stay below 0.05 at ε = 0.01, good at smaller ε if only then, and otherwise bad.
+//! All lifts that `kahan lift` considers run at ε = 0.01 to the time 300, and again at ε/8 and ε/64
+//! while relative errors of relations or states exceed 0.05. A lift is bad if they always do, good
+//! at smaller ε if those of relations do at ε = 0.01, and otherwise good.
 
 use std::fmt;
 

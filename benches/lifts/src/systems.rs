@@ -13,7 +13,7 @@ pub(crate) struct System {
     pub(crate) name: &'static str,
     tokens: Vec<Token>,
     pub(crate) parameters: Vec<(String, f64)>,
-    /// The initial states, followed by the time 0 if the equations depend on the time.
+    /// The initial state; if the equations depend on the time, followed by the time 0.
     pub(crate) start: Vec<f64>,
     pub(crate) time: f64,
     pub(crate) energy: Option<Formula>,

@@ -1,4 +1,4 @@
-//! A process that times, on request, all tiers of one step.
+//! A process that times, on request, the tiers of a step: fast, compensated, projective, stable, …
 
 mod tasks;
 

@@ -25,8 +25,8 @@ use unseen_fields::{
     ThreeWaves, Tired,
 };
 
-/// The largest permitted cost of the setting that the command chooses, and of the one that the
-/// library chooses, relative to the cheapest setting.
+/// The largest permitted cost of the command's choice and of the library's choice, each relative to
+/// the cheapest setting.
 const DEAREST: [f64; 2] = [1.3, 3.0];
 /// The factor by which errors may exceed the tolerance, because the command checks fewer points
 /// than this program.

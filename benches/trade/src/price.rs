@@ -14,7 +14,7 @@ const ROUNDS: usize = 60;
 /// from 0.9 to 2.1 were measured, and 3.6 if the crates were not optimised together.
 pub(crate) const NEAR: f64 = 2.5;
 
-/// Returns the price of each setting in nanoseconds per unit of time, and the speed of the machine.
+/// Returns the price of each setting in nanoseconds per unit of time, and the least [`pace`].
 pub(crate) fn side_by_side<M: ExtendScalars<BigRational, N>, const N: usize>(
     scene: &Scene<M, N>,
     settings: &[Setting],

@@ -110,7 +110,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
     }
 
     pub(crate) fn price(&self, setting: &Setting) -> f64 {
-        /// The least number of timed steps in total.
+        /// The largest number of steps of a timed orbit. Shorter orbits are repeated to this total.
         const STEPS: usize = 400;
         /// The least number of steps of one timed orbit, since starting an orbit takes time.
         const PIECE: usize = 64;

@@ -23,7 +23,7 @@ impl core::fmt::Display for CannotRun {
 
 impl core::error::Error for CannotRun {}
 
-/// Returns ‖f′(x)‖∞.
+/// Returns ‖f′(x)‖∞ for the field f of the map.
 pub(crate) fn rate(at: &MapAt<f64>, x: &[f64]) -> f64 {
     let mut jacobian = vec![0.0; x.len() * x.len()];
     // Both slices have the lengths that the field requires, so the call succeeds.

@@ -1,4 +1,4 @@
-//! Mistakes in questions and subjects, with their JSON paths.
+//! Mistakes in questions and in descriptions of fields (subjects), with their paths in the JSON.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use serde_path_to_error::Segment;
 /// A mistake in a question or a subject.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Misread {
-    /// The names, and the indices of lists counted from 0, that lead to the mistake.
+    /// The path to the mistake in the JSON: names of fields, and indices of list entries from 0.
     pub path: Vec<String>,
     /// A sentence that describes the mistake.
     pub why: String,

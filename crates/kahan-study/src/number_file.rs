@@ -65,7 +65,7 @@ impl Numbers<Option<Rational>> {
     /// Reads a point from each row. Named columns are matched with the states; otherwise each
     /// column is a state, except for a first column that counts the rows from 0.
     ///
-    /// An error is a sentence that lacks its subject, the file's name.
+    /// An error is the rest of a sentence that begins with the file's name.
     pub fn points(&self, wanted: &ExpectedColumns<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
         let states = wanted.states;
@@ -369,7 +369,7 @@ mod tests {
         assert!(left_out[0] == 1.0 && left_out[1].is_nan());
     }
 
-    /// The files follow the documentation of numpy.lib.format.
+    /// The bytes in this test follow the documentation of numpy.lib.format.
     #[test]
     fn arrays_are_read_as_numpy_writes_them() {
         let file = |version: u8, descr: &str, fortran: &str, shape: &str, data: &[u8]| {

@@ -20,8 +20,8 @@ const MANY_VARIABLES: usize = 32;
 /// it.
 const UNRESOLVED_RATE: f64 = 2.0;
 
-/// Growth is measured over 32 multiplications by f′, after 16 multiplications that are not
-/// measured.
+/// The growth of a vector is measured over 32 multiplications by f′, the field's Jacobian, after 16
+/// multiplications that are not measured.
 const PRODUCT_COUNTS: [u32; 2] = [16, 32];
 
 /// The rates of a field at points of an orbit.

@@ -1,4 +1,4 @@
-//! The errors of the relations of a lift along an orbit, and descriptions of these errors.
+//! The errors of a lift's relations, such as sin_x = sin(x), along an orbit, and their description.
 
 use std::ops::ControlFlow;
 

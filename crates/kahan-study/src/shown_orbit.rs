@@ -1,6 +1,4 @@
 //! Defaults for ε and the first point, chosen so that a picture shows a typical orbit.
-//!
-//! If lengths and times are measured in other units, the defaults change by powers of two.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -63,7 +61,7 @@ impl Study {
             start.map_or_else(|| start_points(self.coordinates().len(), length), |start| vec![start]);
         let (mut best, mut refused): (Option<TrialOrbit>, _) = (None, None);
         for own in starts {
-            // A new variable may be undefined at a start.
+            // A start at which a new variable of a lift is undefined is skipped.
             let start = match self.point(&own) {
                 Ok(start) => start,
                 Err(error) => {
@@ -71,7 +69,7 @@ impl Study {
                     continue;
                 }
             };
-            // ε is this fraction of 1/`rate`; without a lift, `rate` overestimates frequencies.
+            // Without a lift, `rate` overestimates frequencies, so `share` = ε·`rate` is larger.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
             // Later trials use the rates along earlier orbits. There are two trials; for lifted
@@ -154,7 +152,7 @@ impl<'a> StepsAndRates<'a> {
         let Some((lift, own)) = &self.lift else { return 0.0 };
         let (states, new) = x.split_at(lift.states.len());
         let values = lift.embed(states, own).into_iter().zip(new).zip(&lift.new);
-        // The mechanical work since the start is not a function of the state.
+        // A new variable without an expression is the mechanical work, no function of the state.
         let values = values.filter(|(_, new)| new.expression.is_some());
         values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
@@ -249,7 +247,7 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 }
 
 /// Returns the length scale of the field, a power of two at which terms of different degrees
-/// balance. Points of this size move by about their size in time ε if all terms are quadratic.
+/// balance. If all terms are quadratic, points of this size move by about their size in time ε.
 fn length_scale(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));
@@ -361,7 +359,7 @@ mod tests {
 
     #[test]
     fn an_orbit_that_stays_is_found() {
-        // Half of the plane escapes, including the start of size 1.
+        // About half of all starts have orbits that escape, including the start of size 1.
         let field = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).unwrap();
         let shown = field.shown_orbit(None, None).unwrap();
         assert!(shown.stays && shown.start[0] != Rational::one(), "{shown:?}");

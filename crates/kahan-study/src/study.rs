@@ -23,9 +23,10 @@ pub const MOST_VARIABLES: usize = 200;
 /// The reason why a point has no image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoStep {
-    /// The reduced map has a pole at the point.
+    /// Kahan's map in lowest terms has a pole at the point.
     Pole,
-    /// det A = 0. The map has too many terms to be reduced, so the image may exist nevertheless.
+    /// The matrix of Kahan's map is singular at the point. The map has too many terms to be
+    /// reduced, so the image may exist nevertheless.
     Unreduced,
     /// The image is beyond the range of the scalar.
     Range,
@@ -48,7 +49,7 @@ struct ReadField {
     proved: OnceLock<Result<(), StudyError>>,
     field: OnceLock<Field>,
     interpreter: OnceLock<Interpreter>,
-    /// Whether steps in floats fuse multiply-adds.
+    /// Whether steps in floats use fused multiply-adds.
     fuses: bool,
 }
 
@@ -115,7 +116,7 @@ impl Study {
         Study { read: Arc::new(read), here: Arc::clone(&self.here) }
     }
 
-    /// Returns a study whose steps in floats fuse multiply-adds, or do not; see [`Map::fused`].
+    /// Returns a study with fused multiply-adds in float steps if `fuses`; see [`Map::fused`].
     ///
     /// # Errors
     /// [`StudyError::NoFusedSteps`] if the field has no fused steps on this processor.
@@ -129,7 +130,7 @@ impl Study {
         Ok(Study::new(Arc::new(ReadField { fuses, ..(*self.read).clone() }), self.here.given.clone()))
     }
 
-    /// Returns whether steps in floats fuse multiply-adds by choice.
+    /// Returns whether [`fusing`](Self::fusing) selected fused multiply-adds for steps in floats.
     #[must_use]
     pub fn fuses(&self) -> bool {
         self.read.fuses
@@ -160,7 +161,7 @@ impl Study {
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 
-    /// Returns the field's name if it is a system of the catalog without given parameter values.
+    /// Returns the name of a catalog system to which no parameter values are given; else `None`.
     #[must_use]
     pub fn as_it_stands(&self) -> Option<&'static str> {
         self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
@@ -308,7 +309,7 @@ impl Study {
         }
         let mut system = self.system().clone();
         for place in 0..system.claims.len() {
-            // A density becomes unconditional only if the field has no unconditional density yet.
+            // A field has at most one unconditional density, so a further one keeps its condition.
             let claim = &system.claims[place];
             let is_second =
                 claim.kind == ClaimKind::Density && system.accessors(ClaimKind::Density).next().is_some();

@@ -79,7 +79,7 @@ impl Subject {
         Self::block(FieldText::new(text.into(), "field".to_owned()))
     }
 
-    /// Reads a field from a text that has a name for messages, or from a passage of such a text.
+    /// Reads a field from a text, or from a range of a text. Messages name the text by its origin.
     #[must_use]
     pub fn block(text: FieldText) -> Self {
         Self::of(SubjectSource::Text(text))

@@ -141,7 +141,7 @@ fn number(observed: &Observed, of: Observable) -> f64 {
     }
 }
 
-/// Compares exponents over `steps` steps at ε = 1/20 with the reference; they may differ by `near`.
+/// Asserts that exponents differ by less than `near` from the reference, and sum to `divergence`.
 fn are_those_of_the_equations(case: &Case, steps: u64, near: f64, divergence: f64) {
     let found = observed(case, Some(LiftCriterion::Automatic), (1, 20), steps);
     let (own, wanted) = (spectrum(&found), reference(case, 0.02, steps as usize * 5));

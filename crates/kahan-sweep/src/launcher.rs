@@ -155,7 +155,7 @@ mod tests {
         assert_eq!(found(&grid_engine), None);
     }
 
-    /// Tests that the processes that array tasks start compute each shard once.
+    /// Tests that each shard is computed once if each task of a job array starts several processes.
     #[test]
     fn ranks_within_tasks_are_shards_of_their_own() {
         let mut shards = Vec::new();

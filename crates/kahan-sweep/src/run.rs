@@ -86,7 +86,6 @@ impl Run<'_> {
         let indices = self.plan.part(part.index);
         let done = noted_within(Journal::noted(part), &indices);
         (self.progress)(done.iter().map(|(_, rows)| rows.count() as u64).sum());
-        // Each thread gets several chunks, which balances the load at the end of a part.
         let threads = self.threads.unwrap_or(1) as u64;
         let rows = indices.end - indices.start;
         let [least, most] = self.plan.at_once();
@@ -110,7 +109,7 @@ impl Run<'_> {
         Ok(RunEnd::Done)
     }
 
-    /// Computes a range of rows piece by piece, and hands each finished piece over.
+    /// Computes a range of rows piece by piece, and adds each finished piece to `work`.
     fn chunk(&self, indices: Range<u64>, work: &Mutex<PartWork>) {
         let mut next = indices.start;
         while next < indices.end && !self.stop.load(Ordering::Relaxed) {

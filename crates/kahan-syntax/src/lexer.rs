@@ -206,7 +206,7 @@ pub(crate) fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
-/// Returns whether `c` may continue a name. Combining marks such as Newton's dot may, too.
+/// Returns whether `c` may continue a name. This includes combining marks, such as the dot of `ẋ`.
 fn continues_identifier(c: char) -> bool {
     starts_identifier(c) || c.is_ascii_digit() || ('\u{300}'..='\u{36f}').contains(&c)
 }

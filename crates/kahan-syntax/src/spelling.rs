@@ -3,7 +3,7 @@
 /// The documentation page about fields that are not quadratic, for help texts.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
-/// The remedy for fields that are not quadratic, for help texts.
+/// The advice that help texts give for fields that are not quadratic.
 pub const LIFTS: &str = "`kahan lift`, or `lift=True` in Python, makes a quadratic field of it";
 
 /// The documentation page about the notation of texts, for help texts.

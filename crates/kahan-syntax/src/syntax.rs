@@ -268,7 +268,7 @@ impl Expr {
         }
     }
 
-    /// Replaces names by numbers, and multiplies the numeric factors of a product if this adds any.
+    /// Replaces names by numbers, and multiplies the numbers in products where a name was replaced.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.kind {
             ExprKind::Number(_) | ExprKind::Special(FamilySyntax::Site { .. }) => {}

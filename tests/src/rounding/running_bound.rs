@@ -2,7 +2,7 @@
 //!
 //! An operation rounds its result with a relative error of at most the unit roundoff, and passes on
 //! the errors of its operands (Higham, Accuracy and Stability of Numerical Algorithms, §3.3). A
-//! multiply-add is treated as two roundings, so the bound holds with and without fusing.
+//! multiply-add is treated as two roundings, so the bound holds for fused multiply-adds, too.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;

@@ -78,7 +78,7 @@ fn the_integrals_are_the_oracle_s() {
     let mut compared = 0;
     for name in ["euler", "e1", "e2", "e3", "e4", "e5", "e6"] {
         for case in file(name).entries("cases") {
-            // The paper states no integrals for the map of the Euler top.
+            // Only for the Euler top, the paper states no integrals, and `extra_integrals` is used.
             let expected: Option<Vector> = if case.mentions("extra_integrals") {
                 case.vector("extra_integrals")
             } else {
@@ -135,7 +135,7 @@ fn the_brackets_are_the_oracle_s() {
             compared[1] += usize::from(case.scalar("c").and(case.matrix("Q")).is_some());
             for back_end in catalog(name, &case.parameters()).back_ends() {
                 assert_eq!(back_end.bracket("P", &x, &eps), case.matrix("P"), "{}", back_end.label());
-                // In E1 and E3, c = 1/x² is undefined at x = 0, and the case has no c.
+                // A case holds c and c·Q, except E1 and E3 at x = 0, where c = 1/x² is undefined.
                 if let Some(c) = case.scalar("c") {
                     let times_c = |m: Matrix| m.iter().map(|row| scaled(&c, row)).collect::<Matrix>();
                     assert_eq!(
@@ -187,8 +187,8 @@ fn the_integral_of_lotka_volterra_at_eps_one_and_minus_one_is_the_oracle_s() {
     assert_eq!(compared, 2);
 }
 
-/// For an integer ξ, the catalog's claim times (2ε)^(1−ξ) is the oracle's value of Ĥ₇ = (y/x)
-/// Γ(ξ/2+u)/Γ(1−ξ/2+u), where u = 1/(2εx) and Γ is the gamma function.
+/// For an integer ξ, the catalog's claim times (2ε)^(1−ξ) is the reference file's value of Ĥ₇ =
+/// (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u), where u = 1/(2εx) and Γ is the gamma function.
 #[test]
 fn the_claims_of_e7_at_integers_are_the_oracle_s() {
     let mut compared = 0;

@@ -43,7 +43,7 @@ block! { ARROW:
 }
 
 block! { CASCADE:
-    /// Three triples of coupled variables, and the variable x6. Earlier ones drive later ones.
+    /// Three triples of coupled variables, and x6; none of these groups depends on later ones.
     pub(super) struct Cascade;
     x0dot = x1*x2;
     x1dot = -x0*x2;

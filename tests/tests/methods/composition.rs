@@ -108,7 +108,7 @@ where
     })
 }
 
-/// Asserts the slope of log(error) for each halving of ε. All errors are far above rounding.
+/// Asserts that halving ε divides the error by 2 to the power of the order, far above rounding.
 fn has_its_order<M, const N: usize>(name: &str, map: &M, start: [f64; N])
 where
     M: KahanMap<Dd, N>,

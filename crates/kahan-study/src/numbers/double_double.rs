@@ -1,4 +1,4 @@
-//! Double-double arithmetic for interpreted plans, with the same bits as compiled steps.
+//! Double-double arithmetic of interpreted programs, whose results equal those of compiled steps.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;

@@ -65,7 +65,7 @@ impl fmt::Display for Number {
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        // By way of text, JSON gets the shortest decimal of an `f32`, and all digits of a `Dd`.
+        // JSON gets the shortest decimal of an `f32`, and all digits of a `Dd`.
         let written = |text: String| text.parse::<serde_json::Number>().ok();
         match self {
             Self::Exact(value) => serializer.collect_str(value),

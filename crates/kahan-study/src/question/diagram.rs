@@ -50,7 +50,7 @@ pub struct Diagram {
     /// Whether rising, falling or all sign changes of the formula are crossings.
     #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
-    /// The most crossings to show.
+    /// The largest number of crossings to show at each value on the axis.
     #[serde(default)]
     pub crossings: Option<u64>,
     /// The order of the method.
@@ -59,7 +59,7 @@ pub struct Diagram {
     /// Whether each orbit starts at the last point of the orbit for the previous value on the axis.
     #[serde(default)]
     pub carry: bool,
-    /// Whether steps of a lifted field are projected symmetrically onto the lift's relations.
+    /// Whether steps are projected symmetrically onto the definitions of a lift's new variables.
     #[serde(default)]
     pub reembed: bool,
 }
@@ -77,14 +77,14 @@ pub struct DiagramFound {
     pub axis: String,
     /// The name of the shown variable.
     pub variable: String,
-    /// The values on the axis; fewer than requested if the watch stopped the work.
+    /// The values on the axis; fewer than requested if the caller's [`Watch`] stopped the work.
     #[serde(with = "exact")]
     pub values: Vec<Rational>,
     /// The shown numbers at each value on the axis, fewer than requested if the orbit ends early.
     pub points: Vec<Vec<f64>>,
     /// The number of values on the axis at which fewer numbers are shown than requested.
     pub ended: usize,
-    /// Whether the watch stopped the work.
+    /// Whether the caller's [`Watch`] stopped the work.
     pub stopped: bool,
 }
 

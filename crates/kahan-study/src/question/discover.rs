@@ -31,7 +31,8 @@ pub struct Discover {
     /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact")]
     pub eps: Option<Rational>,
-    /// The largest degree of relations on orbits; with `None`, the search chooses degrees.
+    /// The largest degree of the sought polynomials that vanish on orbits; with `None`, the search
+    /// chooses degrees.
     pub degree: Option<u32>,
     /// The time limit in seconds.
     pub seconds: f64,
@@ -61,8 +62,8 @@ pub struct Discovered {
 }
 
 impl Discover {
-    /// Searches for integrals, densities, brackets, drifts and structure. Parameters without values
-    /// are generic. Reports each proved result to the watch.
+    /// Searches for integrals, densities, brackets and drifts of the map, and for Hamiltonians of
+    /// the field. Parameters without values are generic. Reports each proved result to `watch`.
     ///
     /// # Errors
     /// [`StudyError::Discover`], or [`StudyError::Degree`] if the degree is not feasible.
@@ -163,7 +164,7 @@ impl Discovered {
     /// Iterates over the claims of the [readable field](Self::readable).
     fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let replaced = self.report.replaced();
-        // `replaced` holds indices of integrals, which are the first claims.
+        // Integrals are the first claims, so indices of integrals in `replaced` index claims, too.
         let kept = self.claims().enumerate().filter(move |(index, _)| !replaced.contains(index));
         kept.map(|(_, claim)| claim).filter(|(text, _)| text.len() <= MOST_READABLE)
     }
@@ -208,7 +209,7 @@ impl Discovered {
         let claims = self
             .claims()
             .map(|(_, claim)| part(claim.kind.keyword(), &claim.name.text, &expression(&claim.body)));
-        // The Hamiltonian of a matrix K1 is H_K1, since integrals are called H1, H2, …
+        // The Hamiltonian of a matrix K1 is called H_K1, since H1, H2, … are names of integrals.
         let hamiltonians = self.report.structure.hamiltonians.iter().map(|found| {
             let name = found.number.map_or_else(|| "H".to_owned(), |number| format!("H_K{number}"));
             part("hamiltonian", &name, &found.hamiltonian)
@@ -245,7 +246,7 @@ fn hamiltonian(found: &HamiltonianReport) -> Value {
     })
 }
 
-/// Writes the integrals, and the quotients of integrals, that compositions preserve.
+/// Writes integrals and quotients of integrals that compositions of maps at different ε preserve.
 fn survivors(found: &CompositionIntegrals, integrals: &[Formula]) -> Value {
     let name = |index: usize| integrals[index].name();
     let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);

@@ -51,18 +51,18 @@ pub struct Evaluated {
     pub field: Vec<Number>,
     /// The Jacobian f′(x), row by row.
     pub field_jacobian: Vec<Vec<Number>>,
-    /// The matrix A(x,ε), row by row.
+    /// The matrix A(x,ε) of Kahan's equations A(x,ε) x̃ = b(x,ε), row by row.
     #[serde(rename = "A")]
     pub matrix: Vec<Vec<Number>>,
-    /// The right-hand side b(x,ε).
+    /// The right-hand side b(x,ε) of Kahan's equations A(x,ε) x̃ = b(x,ε).
     #[serde(rename = "b")]
     pub rhs: Vec<Number>,
     /// The determinant det A(x,ε).
     #[serde(rename = "det_A")]
     pub det_matrix: Number,
-    /// The image x̃ under the reduced map.
+    /// The image x̃ under Kahan's map in lowest terms.
     pub x_next: Option<Vec<Number>>,
-    /// The Jacobian ∂x̃/∂x of the reduced map, row by row.
+    /// The Jacobian ∂x̃/∂x of the map in lowest terms, row by row.
     pub jacobian: Option<Vec<Vec<Number>>>,
     /// The determinant of the Jacobian of the map.
     pub det_jacobian: Option<Number>,

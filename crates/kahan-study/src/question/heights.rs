@@ -136,7 +136,7 @@ impl HeightsFound {
     }
 }
 
-/// Rounds a height to 15 significant digits.
+/// Rounds log max(|p|, |q|), the height of a fraction p/q, to 15 significant digits.
 #[must_use]
 pub fn fifteen_digits(height: f64) -> f64 {
     format!("{height:.14e}").parse().expect("a printed float is one")

@@ -128,7 +128,7 @@ questions! {
     Diagram, asked as "diagram", answered by DiagramFound, in diagram;
     /// A cycle and, on request, its branch.
     Periodic, asked as "periodic", answered by CycleFound, in periodic;
-    /// The heights of an exact orbit.
+    /// The growth of numerators and denominators along an exact orbit.
     Heights, asked as "heights", answered by HeightsFound, in heights, also AtCell;
     /// The images of curves that the map contracts or sends to infinity.
     Poles, asked as "poles", answered by PolesFound, in poles;
@@ -232,7 +232,7 @@ impl<'de> Deserialize<'de> for Question {
     }
 }
 
-/// The default for the number of steps between rows, the period, and the number of draws.
+/// The default of the period, of the number of draws, and of the number of steps between rows.
 fn one<T: From<u8>>() -> T {
     T::from(1)
 }

@@ -56,7 +56,7 @@ pub struct Observe {
     /// on, and [`Observable::Escape`] reports the first step beyond a million.
     #[serde(default)]
     pub escape: Option<f64>,
-    /// Whether steps of a lifted field are projected symmetrically onto the lift's relations.
+    /// Whether steps are projected symmetrically onto the definitions of a lift's new variables.
     #[serde(default)]
     pub reembed: bool,
     /// The observables to compute, by default the [usual](Observable::usual) ones.
@@ -92,7 +92,7 @@ pub struct Observed {
     pub steps: u64,
     /// The reason why the orbit ended.
     pub end: End,
-    /// A sentence that says why the lift ended the orbit; otherwise `None`.
+    /// A sentence if a wrong sign or a failed projection of a lift's variables ended the orbit.
     pub why: Option<String>,
     /// The observations, in the order of the observables.
     pub seen: Vec<(Observable, ObservedValue)>,
@@ -159,7 +159,7 @@ impl Observe {
         self.steps.saturating_mul(runs.unwrap_or(1)).saturating_add(self.transient)
     }
 
-    /// Refuses an explicit request for drifts if the field claims no integral.
+    /// Refuses an explicit request for drifts of integrals if the field claims no integral.
     pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
         let is_named = self.observe.contains(&Observable::Drift) && self.observe != Observable::usual();
         if is_named && study.field().integrals().is_empty() {
@@ -376,7 +376,7 @@ fn with_last(of: &[Observable]) -> Vec<Observable> {
     of.iter().copied().chain([Observable::Last]).collect()
 }
 
-/// Adds the steps before the observation to all step numbers of the observation.
+/// Adds `before`, the number of transient steps, to all step numbers in an observation.
 fn after_transient(found: Followed<Vec<ObservedValue>>, before: u64) -> Followed<Vec<ObservedValue>> {
     let later = |seen| match seen {
         ObservedValue::Step(step) => ObservedValue::Step(step.map(|step| step + before)),
@@ -403,7 +403,7 @@ pub(super) fn shown(study: &Study, seen: ObservedValue) -> ObservedValue {
     }
 }
 
-/// Replaces indicators by NaN if no step was observed.
+/// If no step was observed, replaces a chaos indicator or the mean of log |det ∂x̃/∂x| by NaN.
 fn after(has_steps: bool, seen: ObservedValue) -> ObservedValue {
     match seen {
         ObservedValue::Number(_) if !has_steps => ObservedValue::Number(f64::NAN),

@@ -35,7 +35,7 @@ pub use row_schedule::RowSchedule;
 
 /// A request for the points of an orbit. A row holds n, the time t = 2εn, variables and integrals.
 ///
-/// Compositions and other methods approximate the flow, so their integrals are the claims at ε = 0.
+/// Rows of compositions and other methods hold the integrals of the flow: the claims at ε = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Orbit {
@@ -65,7 +65,7 @@ pub struct Orbit {
     /// Whether the orbit continues through poles, by points at infinity.
     #[serde(default)]
     pub projective: bool,
-    /// Whether steps of a lifted field are projected onto the lift's relations, in doubles.
+    /// Whether steps in doubles are projected onto the definitions of a lift's new variables.
     #[serde(default)]
     pub reembed: bool,
 }
@@ -125,8 +125,8 @@ pub enum NoOrbit {
     OwnOrder(Method),
     /// The flow is requested in exact numbers.
     ExactFlow,
-    /// Symmetric projection is requested without a lift, in a scalar other than doubles, or for
-    /// another method.
+    /// Symmetric projection is requested without a lift, in a scalar other than doubles, for a
+    /// method other than Kahan's map, or for a projective orbit.
     Reembed,
     /// Projected steps are requested with this observable, which requires unprojected steps.
     OfTheMap(&'static str),
@@ -222,7 +222,7 @@ pub struct OrbitHead {
     /// The execution of float steps: `machine code` or `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
-    /// Whether steps in machine code fuse multiply-adds; see [`Study::fusing`].
+    /// Whether steps in machine code use fused multiply-adds; see [`Study::fusing`].
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub fused: bool,
     /// Whether the orbit continues through poles.
@@ -250,7 +250,7 @@ pub struct Orbited {
     /// The metadata of the orbit.
     #[serde(flatten)]
     pub head: OrbitHead,
-    /// The rows, with the columns of the head.
+    /// The rows; `head` lists their columns.
     pub rows: Table,
     /// The reason why the orbit ended.
     #[serde(flatten)]
@@ -384,7 +384,7 @@ impl Orbit {
         let parameters = parameters.collect::<Result<Vec<_>, _>>()?;
         let eps = in_scalar("eps", "eps", &self.eps)?;
         let map = study.map()?;
-        // Numbers that differ exactly may round to one value, at which the field may be undefined.
+        // Different exact numbers may round to one float, at which the field may be undefined.
         if !map.field().derived().is_defined_at(arithmetic, &parameters, &eps) {
             return Err(study.undefined_field_at(&self.eps));
         }

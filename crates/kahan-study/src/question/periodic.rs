@@ -41,7 +41,7 @@ pub struct Periodic {
     /// power of two at which no entry of ∂x̃/∂x − I is much larger than 1.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// A point near the cycle; if empty, the first point in the text.
+    /// A point near the cycle; if empty, the initial point in the field's text.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
     /// A multiple of the cycle's period. If ε is unknown: about the number of steps in the limit
@@ -338,7 +338,7 @@ impl Family {
         branch
     }
 
-    /// Converts the points of a branch to all variables, and makes the axis values exact.
+    /// Converts the points to all variables, and sets requested axis values to the nearest doubles.
     fn finish(&self, branch: &mut Branch, axis: &Axis) {
         for point in &mut branch.points {
             self.to_all_variables(&mut point.cycle);
@@ -381,7 +381,7 @@ fn integrals(
     Ok(if found.len() < start.len() { found } else { Vec::new() })
 }
 
-/// Returns a power of two for ε at which the entries of ∂x̃/∂x − 1 are at most about 1.
+/// Returns a power of two for ε at which the entries of ∂x̃/∂x − I are at most about 1.
 fn eps_for(map: &Map, point: &[Rational]) -> Option<Rational> {
     /// A number of trials that covers all powers of two among doubles.
     const MAX_TRIALS: usize = 2200;

@@ -29,7 +29,7 @@ pub struct Scan {
     /// The axes: parameters, or `eps`.
     #[serde(with = "axes")]
     pub over: Vec<Axis>,
-    /// The largest degree of relations on orbits.
+    /// The largest degree of the sought polynomials that vanish on orbits.
     #[serde(default)]
     pub degree: Option<u32>,
     /// The time limit in seconds.

@@ -57,7 +57,7 @@ pub struct Section {
     /// The order of the method, and of the crossing times.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// Whether steps of a lifted field are projected symmetrically onto the lift's relations.
+    /// Whether steps are projected symmetrically onto the definitions of a lift's new variables.
     #[serde(default)]
     pub reembed: bool,
     /// The first points of many orbits.
@@ -109,7 +109,7 @@ pub struct Crossed {
     pub steps: u64,
     /// The reason why the orbit ended; `Stopped` if it has all requested crossings.
     pub end: End,
-    /// A sentence that says why the lift ended the orbit; otherwise `None`.
+    /// A sentence if a wrong sign or a failed projection of a lift's variables ended the orbit.
     pub why: Option<String>,
     /// The number of crossings.
     pub crossings: u64,

@@ -82,7 +82,7 @@ pub struct FormulaSheet {
     pub variables: Vec<String>,
     /// The parameters without values.
     pub parameters: Vec<String>,
-    /// The field with its dependence on ε, from which the map is made; `None` without dependence.
+    /// The field as a function of x and ε, which gives the map; `None` if ε does not occur.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
     /// The field f(x), at ε = 0 if it depends on ε. f′ and Q are derived from this field.

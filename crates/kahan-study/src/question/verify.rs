@@ -38,7 +38,7 @@ pub enum Verified {
 pub struct Mutations {
     /// The results for each claim.
     pub mutations: Vec<Mutated>,
-    /// The number of claims that still hold after every change. A meaningful claim does not.
+    /// The number of claims that hold after every tried change. Such claims say little.
     pub survived: usize,
     /// The duration of the check in seconds; `None` without a clock.
     #[serde(skip)]

@@ -1,4 +1,4 @@
-//! Compares a Taylor path with the closed solution, or with Kahan's map composed to order 8.
+//! Compares Taylor series with the closed-form solution, or with Kahan's map composed to order 8.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Composition, Dd, KahanMap};
@@ -28,7 +28,7 @@ pub struct Certificate {
     /// The largest difference from the second method, relative to the trajectory's
     /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
-    /// The last compared time up to which all differences are at most the allowed one.
+    /// The last compared time up to which no difference exceeds the allowed difference.
     #[serde(skip)]
     pub agreed_until: f64,
 }
@@ -43,7 +43,7 @@ fn name<S: Serializer>(method: &Method, to: S) -> Result<S::Ok, S::Error> {
 /// The method that a Taylor series is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// The catalog's closed solution.
+    /// A closed-form solution from the catalog.
     ClosedSolution,
     /// The Kahan–Li composition of order 8.
     Composition {
@@ -82,8 +82,8 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // Only rounding errors are left if more steps bring no gain, although steps are at most
-            // 1/(2‖f′‖) long or the difference is tiny.
+            // Only rounding errors are left if more steps bring no gain and either the difference
+            // is tiny or steps are at most 1/(2‖f′‖) long, where f is the field.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {
@@ -117,8 +117,8 @@ impl Comparison {
         }
     }
 
-    /// Returns whether the difference is clearly smaller, or the agreement clearly longer, than in
-    /// `before`.
+    /// Returns whether the difference is clearly smaller than in `before`, or the methods agree
+    /// until a clearly later time.
     fn gains_on(&self, before: &Self) -> bool {
         self.difference < 0.5 * before.difference || self.agreed_until > 1.02 * before.agreed_until
     }

@@ -1,4 +1,4 @@
-//! Closed solutions of the catalog's flows, computed in 256 bits and rounded to double-double.
+//! Closed-form flows of catalog systems, computed in 256 bits and rounded to double-double.
 
 use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
@@ -8,8 +8,8 @@ use kahan_systems::special::Float256;
 
 pub(super) type Solution = Box<dyn Fn(Dd) -> Vec<Dd>>;
 
-/// Returns the closed solution of a system of the catalog through `start`; `None` without such a
-/// solution, or outside its domain.
+/// Returns the closed-form solution through `start` of a catalog system; `None` if there is none,
+/// or if `start` lies outside its domain.
 pub(super) fn closed_solution(
     command: &str,
     parameters: &[BigRational],

@@ -46,7 +46,7 @@ pub struct Trajectory<'a> {
     pub start: &'a [BigRational],
     /// The last time, positive.
     pub end: f64,
-    /// The largest accepted difference between the methods, relative to the scale.
+    /// The largest accepted difference between the methods, relative to [`scale`](Flow::scale).
     pub allowed: f64,
 }
 

@@ -23,7 +23,7 @@ pub enum NoReference {
     },
     /// The two methods disagree.
     Disagree {
-        /// The difference, relative to the scale.
+        /// The difference, relative to the flow's [`scale`](kahan_dynamics::Flow::scale).
         difference: f64,
         /// The allowed difference.
         allowed: f64,

@@ -122,7 +122,7 @@ pub struct Traded {
     pub settings: Vec<Measured>,
     /// The cheapest setting whose error is within the tolerance.
     pub choice: Option<Choice>,
-    /// Schemes that ran out of time, each with the ε of its first skipped setting.
+    /// Schemes (scalar, order, compensation) that ran out of time, each with its first skipped ε.
     #[serde(serialize_with = "object::skipped")]
     pub skipped: Vec<(Scheme, f64)>,
     /// Schemes whose errors stopped falling before they reached the tolerance.
@@ -283,8 +283,8 @@ impl<'a> RefinementSearch<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // `coarsest` is the smallest number of steps to be tried. With a trajectory, ε‖f′‖ is then
-        // 4 on average; without one, it is 1 at the start.
+        // With `coarsest` steps, the smallest number to try, ε‖f′‖ for the field f is 4 on average
+        // along the reference, or 1 at the start if there is no reference.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {

@@ -1,4 +1,4 @@
-//! Converts the parameters, scene and settings of an answer to a [`Trade`](super::Trade) to JSON.
+//! Writes the values in an answer to [`Trade`](super::Trade) as JSON.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};

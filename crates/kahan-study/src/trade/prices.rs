@@ -1,7 +1,7 @@
 //! The measured time of a step of each scheme on this machine, in nanoseconds.
 //!
-//! For an interpreted field, steps of the compiled system E6 are timed instead. Their times are
-//! multiplied by the ratio of the planned costs of a step of the field and a step of E6.
+//! For an interpreted field, steps of the catalog's compiled system E6 are timed instead. Their
+//! times are multiplied by the ratio of the planned costs of a step of the field and a step of E6.
 
 use kahan_core::StepCost;
 use kahan_dynamics::{Need, Precision, Scheme};
@@ -32,8 +32,8 @@ impl Prices {
                 *least = least.min(time);
             }
         }
-        // A compiler may vectorise a step in single precision, which can double its time, so it is
-        // priced at least like a step in double precision.
+        // A step in single precision may take twice as long if the compiler vectorises it, so its
+        // price is at least that of a step in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {

@@ -74,8 +74,8 @@ impl RefinementSearch<'_> {
         }
     }
 
-    /// Tries more and more steps of a scheme; if rounding errors matter, also with compensation.
-    /// Returns whether rounding errors matter without compensation.
+    /// Tries more and more steps of a scheme; if rounding errors matter, also with compensated
+    /// summation. Returns whether rounding errors matter without it.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let has_felt = self.refine_steps(scheme, coarsest);
         if has_felt && self.tolerance >= scheme.precision.unit() / 8.0 {

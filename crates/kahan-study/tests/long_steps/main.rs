@@ -1,5 +1,5 @@
-//! Long steps by the planned straight-line program and by elimination with partial pivoting, both
-//! compared with exact rational numbers.
+//! Compares long steps by the planned straight-line program, and by elimination with partial
+//! pivoting, with exact rational steps.
 //!
 //! # Bounds
 //!
@@ -68,7 +68,7 @@ impl<'a> Linear<'a> {
         (run(&self.matrix).chunks(n).map(<[A::Value]>::to_vec).collect(), run(&self.right))
     }
 
-    /// Returns ‖f′‖∞. At ε = 1, the matrix of Kahan's map is I − f′.
+    /// Returns ‖f′‖∞ for the field f, from the matrix of Kahan's map at ε = 1, which is I − f′.
     fn norm(&self, values: &[f64]) -> f64 {
         let mut values = values.to_vec();
         *values.last_mut().expect("ε is the last") = 1.0;
@@ -135,7 +135,7 @@ fn error(exact: &[(f64, f64)], next: &[f64]) -> f64 {
     largest / (size * f64::EPSILON / 2.0)
 }
 
-/// Returns the errors at random points of each plan in `steps`, and then those of elimination.
+/// Returns errors at random points: those of each plan in `steps`, and then those of elimination.
 fn errors(
     linear: &Linear<'_>,
     steps: &[&StepPlan],

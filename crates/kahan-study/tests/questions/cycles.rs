@@ -1,4 +1,4 @@
-//! Limit cycles of flows agree with SciPy's shooting by DOP853 at tolerance 1e-13.
+//! Limit cycles of flows agree with shooting by SciPy's integrator DOP853 at tolerance 1e-13.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{LiftCriterion, StudyError, Subject, Unwatched};

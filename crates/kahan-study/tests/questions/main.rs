@@ -67,7 +67,7 @@ impl Watch for Listening {
     }
 }
 
-/// For E1 at x = −2 and ε = 1/2, 1 + εx = 0 is a removable pole.
+/// E1 with ε = 1/2 has a removable pole at x = −2, where 1 + εx = 0.
 #[test]
 fn every_object_at_a_point() {
     let e1 = study(Subject::named("e1"));

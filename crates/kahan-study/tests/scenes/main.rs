@@ -1,4 +1,4 @@
-//! Tests the choices of `Scene::trajectory` on seeded scenes of twenty fields.
+//! Tests `Scene::choose` on scenes: one of twenty fields, a random start, time span and tolerance.
 //!
 //! The truth is a Taylor series in 32 digits that agrees with a second method to a tenth of the
 //! tolerance. Two thousand scenes take minutes: `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test
@@ -61,7 +61,7 @@ where
     Judged { scene: name, outcome }
 }
 
-/// Returns the largest distance from the reference over all steps, and at its end.
+/// Returns the largest distance from the reference at all steps, and between both ends.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: ExtendScalars<f64, N>,

@@ -79,7 +79,7 @@ case!(
     { xdot = 10*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z; }
 );
 case!(
-    /// Rössler's attractor, with spikes.
+    /// Rössler's attractor, where z has spikes.
     Spikes[3], 1.0..100.0, |rng| start!(rng, [-8.0..8.0, -8.0..8.0, 0.0..5.0], [off(rng), off(rng), 0.0]),
     { xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - 57/10); }
 );
@@ -106,7 +106,7 @@ case!(
     Growth[1], 1.0..60.0, |rng| start!(rng, [0.01..2.0], [off(rng).abs()]), { xdot = x*(1 - x); }
 );
 case!(
-    /// An epidemic that begins with next to nobody.
+    /// An epidemic, which may start with almost nobody infected.
     Epidemic[3], 1.0..60.0, |rng| start!(rng, [0.1..1.0, 0.0..0.5, 0.0..0.5], [1.0, off(rng).abs(), 0.0]),
     { sdot = -5/2*s*i; idot = 5/2*s*i - i; rdot = i; }
 );
@@ -150,7 +150,7 @@ case!(
     { xdot = x - x*y; ydot = 500*(x^2 - y); }
 );
 case!(
-    /// Weierstrass' function: poles along the way.
+    /// Weierstrass' function ℘ and its derivative; orbits may reach a pole of ℘.
     Elliptic[2], 0.2..4.0, |rng| start!(rng, [-0.9..0.5, -1.0..1.0], [-0.5 + off(rng), off(rng)]),
     { xdot = y; ydot = 6*x^2 - 2; }
 );

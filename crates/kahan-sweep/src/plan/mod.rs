@@ -65,8 +65,8 @@ impl Plan {
         first..self.points().min(first + self.rows_per_part)
     }
 
-    /// Returns the smallest and the largest number of rows that a thread computes at once. Orbits
-    /// of more than 2²⁰ steps run singly, because an interruption loses an unfinished group.
+    /// Returns the smallest and the largest number of rows that a thread computes together. Orbits
+    /// of more than 2²⁰ steps run singly, so that an interruption loses little.
     pub(crate) fn at_once(&self) -> [u64; 2] {
         match &*self.over().question {
             Question::Observe(Observe { steps, .. }) if *steps > 1 << 20 => [1, 1],

@@ -22,7 +22,7 @@ impl Reader<'_> {
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
             if let Some(end) = self.line_of_directive(at) {
-                // Lines with `@` (options of XPP) are skipped; other directives are refused later.
+                // Options of XPP (lines with `@`) are skipped; other directives are refused later.
                 let left = None;
                 items.extend((self.at(at) != "@").then_some(TextItem {
                     tokens: at..end,

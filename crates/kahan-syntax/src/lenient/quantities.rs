@@ -14,7 +14,7 @@ use super::{PlacedToken, Reader, mistake};
 const MAX_DEPTH: usize = 256;
 
 impl Reader<'_> {
-    /// Records the states, and names the derivatives that become new states.
+    /// Records the states, and chooses names for the derivatives that become new states.
     pub(super) fn name_derivatives(&mut self, items: &[TextItem]) {
         let equations = || items.iter().filter_map(|item| item.left.as_ref()).filter(|left| !left.is_value());
         for left in equations() {

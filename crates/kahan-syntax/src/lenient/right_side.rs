@@ -1,4 +1,5 @@
-//! Translates right-hand sides: expands quantities and roots, and reports products without `*`.
+//! Translates right-hand sides: expands auxiliary quantities, replaces roots such as `sqrt(2)` by
+//! numbers or parameters, and reports products without `*`.
 
 use std::ops::Range;
 

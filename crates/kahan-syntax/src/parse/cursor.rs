@@ -17,7 +17,7 @@ pub(super) struct Cursor<'a> {
     /// The name of the site index inside a family. Names other than `i` are reported.
     pub(super) index: Option<&'a str>,
     pub(super) is_lifted: bool,
-    /// All names in the tokens, and whether each also occurs elsewhere than directly before `=`.
+    /// For each name in the tokens, whether it occurs at least once without `=` directly after it.
     names: OnceCell<HashMap<&'a str, bool>>,
 }
 
@@ -25,7 +25,7 @@ pub(super) struct Cursor<'a> {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum ExpressionEnd {
     Semicolon,
-    /// The first token of the next item, for a bracket with `when`, which may end without `;`.
+    /// The first token of the next item. Conditions of a bracket may end there, without `;`.
     Item,
     /// The sign `=`, on the left side of a relation after `when`.
     Equals,
@@ -77,7 +77,7 @@ impl<'a> Cursor<'a> {
         self.names().contains_key(name)
     }
 
-    /// Returns whether a name occurs elsewhere than directly before `=`.
+    /// Returns whether a name occurs at least once without `=` directly after it.
     pub(super) fn uses(&self, name: &str) -> bool {
         self.names().get(name).is_some_and(|is_used| *is_used)
     }

@@ -58,8 +58,8 @@ impl Rational {
             } else {
                 i128::from(*b) / i128::from(gcd(*b as u64, *d as u64)) * i128::from(*d)
             };
-            // The fraction gcd(a, c)/lcm(b, d) is in lowest terms: a prime that divides the lcm
-            // divides b or d, and hence not both a and c.
+            // For a/b and c/d in lowest terms, gcd(a, c)/lcm(b, d) is in lowest terms: a prime that
+            // divides the lcm divides b or d, and hence not both a and c.
             return Self::from_reduced(i128::from(num), den);
         }
         let num = num_integer::Integer::gcd(&self.numerator(), &other.numerator());
@@ -73,7 +73,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(i128::from(a) + i128::from(c), 1);
     }
     if (b as u64).is_power_of_two() && (d as u64).is_power_of_two() {
-        // Denominators that are powers of two need shifts instead of a greatest common divisor.
+        // If both denominators are powers of two, shifts reduce the sum, without a gcd.
         let (den, (a, c)) = (b.max(d), (i128::from(a), i128::from(c)));
         let num = (a << (den / b).trailing_zeros()) + (c << (den / d).trailing_zeros());
         let cancels = num.trailing_zeros().min(den.trailing_zeros());

@@ -25,7 +25,7 @@ impl Rational {
     pub fn to_f64(&self) -> f64 {
         const EXACT: u64 = 1 << 53;
         match &self.0 {
-            // Both are exact floats and the quotient is normal, so one division rounds correctly.
+            // `num` and `den` are exact and the quotient is normal, so division rounds correctly.
             Repr::Small { num, den } if num.unsigned_abs() <= EXACT && *den as u64 <= EXACT => {
                 *num as f64 / *den as f64
             }

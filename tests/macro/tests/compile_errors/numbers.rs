@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// Decimal exponents are limited to bound the memory of literals.
+// Decimal exponents have a limit, which bounds the memory of literals.
 kahan! {
     pub struct Astronomical;
     xdot = -1e5000*x;

@@ -1,5 +1,5 @@
-//! Orbits of chains with any number of sites, in doubles. A row holds the conserved quantities and
-//! the variables, or for long chains the range of each array.
+//! Orbits of chains with any number of sites, in doubles. A row holds conserved quantities and all
+//! variables; for a long chain, only the range of each variable over all sites.
 
 use std::ops::{ControlFlow, Range};
 
@@ -20,7 +20,7 @@ use super::{columns, is_none, names};
 /// A chain with its map and state.
 #[derive(Debug)]
 pub struct Chain {
-    /// The name of the family in answers.
+    /// The name of the family of equations, as answers give it.
     pub name: String,
     /// The family.
     pub lattice: Lattice,
@@ -43,7 +43,7 @@ pub struct Chain {
 pub struct ChainHead {
     /// The name of the family.
     pub system: String,
-    /// The arrays of the family.
+    /// The names of the family's arrays, each of which holds one variable of all sites.
     pub arrays: Vec<String>,
     /// The number of sites.
     pub sites: usize,

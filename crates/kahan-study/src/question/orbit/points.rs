@@ -26,9 +26,9 @@ pub(super) enum EarlyEnd {
 
 #[derive(Clone, Copy)]
 pub(super) enum EndReason {
-    /// det A = 0. If the map is not in lowest terms, the point counts as a pole nevertheless.
+    /// The matrix of Kahan's map is singular; unless `is_reduced`, an image may exist nevertheless.
     Pole { is_reduced: bool },
-    /// det A = 0 at a stage of a composition.
+    /// A stage of a composition has a pole.
     StagePole,
     /// The limit of the projective map depends on the direction of approach.
     NoLimit(Option<SingularStep>),
@@ -247,7 +247,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: EndReason, at: &[
              point is {point}; {kept}"
         ),
     };
-    // In floats, rounding decides whether det A is 0 at a pole, so the end is `End::Range`.
+    // In floats, rounding decides whether a pole is detected, so `EndReason::Pole` becomes `Range`.
     let end = match why {
         EndReason::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
         EndReason::NoLimit(_) => End::Pole(n),

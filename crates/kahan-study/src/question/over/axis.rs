@@ -108,7 +108,7 @@ impl NamedValues for AxisOver {
     }
 }
 
-/// A function that returns the number 0 ≤ u < 1 at an index.
+/// A function that returns the draw 0 ≤ u < 1 with a given index.
 type Draw = dyn Fn(u64) -> f64 + Sync;
 
 pub(super) enum Values<'a> {

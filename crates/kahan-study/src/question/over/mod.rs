@@ -79,7 +79,7 @@ pub struct OverFound {
 }
 
 impl Over {
-    /// Refuses an explicit request for drifts if the field claims no integral.
+    /// Refuses an explicit request for drifts of integrals if the field claims no integral.
     pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
         match &*self.question {
             Question::Observe(asked) => asked.has_integrals(study),

@@ -35,7 +35,7 @@ pub struct FlowFound {
 }
 
 impl FlowFound {
-    /// Extrapolates from the cycles at N, 2N, 4N, … steps, whose errors have these `powers` of ε.
+    /// Extrapolates cycles of N, 2N, 4N, … steps, whose errors are series in these `powers` of ε.
     fn of(mut points: Vec<BranchPoint>, powers: &[i32]) -> (Self, BranchPoint) {
         let limit = |of: &dyn Fn(&BranchPoint) -> f64| {
             Extrapolated::of(&points.iter().map(of).collect::<Vec<_>>(), powers)
@@ -148,8 +148,8 @@ impl Parametric for FlowAt<'_> {
         rates.truncate(x.len());
         let place = self.family.parameter.filter(|place| self.at.place() == *place);
         let Some((place, _)) = place.zip(self.family.study.relations()) else { return rates };
-        // New variables of a lift may depend on the parameter. Central differences give their
-        // derivatives by it.
+        // Central differences give the derivatives of a lift's new variables with respect to the
+        // parameter.
         let width = 1e-6 * self.values[place].abs().max(1e-3);
         let [below, above] = [-width, width].map(|shift| {
             let mut values = self.values.clone();
@@ -238,7 +238,7 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                // An even number of steps can be divided equally between two rounds of a cycle.
+                // If a return is two rounds of a cycle, both rounds need equally many steps.
                 let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
@@ -315,7 +315,7 @@ type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
     let is_like = |mark: BranchPointKind| move |point: &&BranchPoint| point.mark == mark;
     let extrapolate = |(index, point): (usize, &BranchPoint)| {
-        // A mark may occur several times on a branch; `before` counts the earlier occurrences.
+        // A branch may have several points with this `mark`; `before` counts the earlier ones.
         let before = branches[0].points[..index].iter().filter(is_like(point.mark)).count();
         let alike =
             branches.iter().map(|one| one.points.iter().filter(is_like(point.mark)).nth(before).cloned());

@@ -15,7 +15,7 @@ use crate::study::Study;
 use super::plane::Plane;
 use super::section_orbit::{BufferedCrossings, SectionOrbit};
 
-/// The number of steps after which finished orbits leave the group.
+/// The number of steps in a round; orbits that ended leave the group after each round.
 const STEPS_PER_ROUND: u64 = 1024;
 /// Fewer orbits than this number are followed one by one.
 const MIN_GROUPED_ORBITS: usize = 4;

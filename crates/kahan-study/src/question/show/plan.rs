@@ -53,7 +53,7 @@ pub struct FunctionCost {
 pub struct Listing {
     /// The instructions that depend only on ε and the parameters, and are run once for many steps.
     pub constants: Vec<String>,
-    /// The instructions that compute the increments' numerators and 1/denominators from a state.
+    /// The instructions that compute, from a state, the numerators and 1/denominators of x̃ − x.
     pub kernel: Vec<String>,
     /// For each component, the name of 1/denominator of the increment; `None` without division.
     pub reciprocals: Vec<Option<String>>,

@@ -1,4 +1,4 @@
-//! A block outside of functions lacks a header. Only rustc knows where a block is, and reports it.
+//! Only rustc knows that a block is outside of functions, so rustc reports the missing header.
 
 use kahan_core::prelude::*;
 
