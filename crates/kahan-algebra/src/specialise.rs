@@ -32,8 +32,8 @@ impl System {
             Specialisation { field: &self.field, new: &specialised.field.symbols, relations: &relations };
         let mut claims: Vec<Claim> = Vec::new();
         for claim in self.claims.iter().filter_map(|claim| specialisation.claim(claim)) {
-            // A block has at most one unconditional density. A second one is the first one times an
-            // integral.
+            // A block has at most one unconditional density. Further ones are dropped: each is the
+            // first one times an integral.
             let is_density = |claim: &Claim| claim.kind == ClaimKind::Density && claim.is_unconditional();
             if !is_density(&claim) || !claims.iter().any(is_density) {
                 claims.push(claim);
@@ -62,8 +62,8 @@ impl System {
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
-    /// Returns the system at this ε, without claims. At ε = 0, the map approximates the flow of its
-    /// field. Returns `None` if the field divides by zero, which never happens at ε = 0.
+    /// Returns the system with this value of ε in its coefficients, and without claims. Returns
+    /// `None` if the field then divides by zero, which never happens for ε = 0.
     #[must_use]
     pub fn at_eps(&self, eps: &Rational) -> Option<System> {
         let Field { symbols, components } = &*self.field;
@@ -132,7 +132,7 @@ impl Specialisation<'_> {
     }
 
     /// Inserts values into the field as written. Returns `None` if a value is not a polynomial, or
-    /// if a divisor cancels.
+    /// if the written formula divides by something that cancels in the reduced component.
     fn specialised_subexpressions(
         &self,
         kept: &FieldWithSubexpressions,

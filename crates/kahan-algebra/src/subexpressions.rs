@@ -367,8 +367,8 @@ impl FieldWithSubexpressions {
         (values, rows)
     }
 
-    /// Replaces subexpressions without states by parameters. Returns `field` unchanged if different
-    /// monomials in the states would then occur.
+    /// Replaces subexpressions without states by parameters. Returns `field` unchanged if the
+    /// replacement would change which monomials in the states occur.
     pub(crate) fn with_constants(&self, field: &Field) -> FieldWithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
@@ -431,8 +431,8 @@ impl FieldWithSubexpressions {
     /// Returns whether a step that is planned from expanded sums may lose digits.
     ///
     /// This may happen if a term contains two written sums, or a constant and a sum as in
-    /// `(y - 1)/s`. A sum with the component's own state is harmless, because a large constant then
-    /// also occurs on the diagonal of A. Every subexpression must be a sum.
+    /// `(y - 1)/s`. A sum that contains the state xᵢ is harmless in ẋᵢ, because a large constant
+    /// then also occurs on the diagonal of A. All subexpressions must be sums.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let is_sum = |variable: Variable| self.values.place(variable).is_some();
         let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);

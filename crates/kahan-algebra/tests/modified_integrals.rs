@@ -1,4 +1,4 @@
-//! Checks that the map preserves the integrals by polarisation and rotation.
+//! Checks that the map preserves the integrals that polarisation and rotation find.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -82,7 +82,7 @@ fn found(text: &str) -> Vec<String> {
     found.iter().map(line).collect()
 }
 
-/// Checks that the integral of the map is derived from that of the flow, its value at ε = 0.
+/// Checks that at ε = 0 the integral of the map is the integral of the flow.
 fn check_limit(field: &Field, found: &ModifiedIntegral) {
     let eps = field.symbols.epsilon();
     let [above, below] = [found.of_map.numerator(), found.of_map.denominator()]

@@ -225,7 +225,7 @@ fn what_once_went_wrong_stays_mended() {
     assert!(message.contains('@') && !message.contains("empty"), "{message}");
 }
 
-/// A power of a number is a number in claims and in equations. Other powers have limits.
+/// In claims and in equations, powers of numbers may have larger exponents than powers of states.
 #[test]
 fn claims_take_powers_of_numbers_as_equations_do() {
     let claim = |text: &str| {

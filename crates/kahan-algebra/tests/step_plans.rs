@@ -82,7 +82,7 @@ fn next(step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
     Some(point.iter().zip(step.kernel.factors(&results)).map(component).collect())
 }
 
-/// Returns (x̃ − x) − 2ε P(x, x̃), over the denominator of each equation.
+/// Returns (x̃ − x) − 2ε P(x, x̃), each entry multiplied by the denominator of its equation.
 fn residuals(field: &Field, point: &[Rational], next: &[Rational]) -> Vec<Rational> {
     let eps = &point[usize::from(field.symbols.epsilon().0)];
     let value = |variable| match field.symbols.symbol(variable) {
@@ -229,8 +229,8 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// Plans for floats divide by ε if this shortens the dependence chain from step to step, but plans
-/// for all scalars do not. A divided step of E1, E3 or E5 is exactly Kahan's map at a nearby ε.
+/// Plans for floats divide the equations by ε if this shortens the dependence chain from step to
+/// step. For E1, E3 and E5, this step is exactly Kahan's map at a nearby ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

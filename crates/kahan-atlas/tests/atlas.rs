@@ -50,7 +50,7 @@ fn attributes<'a>(page: &'a str, name: &str) -> Vec<&'a str> {
 #[test]
 fn the_page_is_well_formed_and_its_links_lead_somewhere() {
     let page = page_with(&Paper::new(), good);
-    // XML requires that `<meta>` is closed, while HTML does not.
+    // Closes each `<meta>`, because XML requires it and HTML does not.
     let xml: String = page
         .split_inclusive('>')
         .map(|piece| if piece.contains("<meta") { piece.replace('>', "/>") } else { piece.to_owned() })

@@ -3,7 +3,7 @@
 //! `reading` parses arguments, `commands` asks the libraries, and `printing` writes the answers.
 //! The exit status is 0 for success, 1 for a failed check or a pole, and 2 for wrong input.
 
-// Each module uses only the modules above it. `tests/tests/layers.rs` checks this.
+// Each module uses only modules that are declared before it, as `tests/tests/layers.rs` checks.
 
 mod printing;
 
@@ -76,7 +76,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // If the degree of a field is refused, notes may show a misspelled variable.
+    // A misspelled name may be the reason why a degree is refused, so notes are printed then, too.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));
@@ -104,7 +104,7 @@ fn grouped(command: &clap::Command) -> String {
     COMMAND_GROUPS.iter().map(group).collect()
 }
 
-/// Builds the command line. `--help` prints what fits on a screen; `kahan help COMMAND` prints all.
+/// Builds the parser of the command line. `--help` is short, and `kahan help COMMAND` complete.
 fn command() -> clap::Command {
     let cli = Cli::command();
     let groups = grouped(&cli);

@@ -83,7 +83,7 @@ impl<'a> WatchedSearch<'a> {
 /// A time limit that remembers whether it stopped a computation.
 ///
 /// Only a search that was not stopped may state that something does not exist. The deadline also
-/// passes if the watch ends the computation. Without a clock, it passes only then.
+/// passes if the watch ends the computation, and without a clock for no other reason.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a WatchedSearch<'a>>,

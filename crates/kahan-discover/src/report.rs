@@ -55,7 +55,7 @@ impl Default for Options {
 /// The structure of the field.
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
-    /// Whether the field depends on ε. If so, the flow is that of the field at any fixed ε.
+    /// Whether the field depends on ε. Statements about its flow then hold for each fixed ε.
     pub depends_on_eps: bool,
     /// The divergence div f.
     pub divergence: String,
@@ -175,8 +175,8 @@ impl Bound {
         linear: Option<usize>,
         by_drifts: usize,
     ) -> Option<Self> {
-        // With n independent integrals the map has a finite order N. At generic ε this is
-        // impossible, as iterate N is x + 2Nε f(x) + O(ε²).
+        // With n independent integrals all orbits have a period N. At generic ε this is impossible,
+        // because iterate N is x + 2Nε f(x) + O(ε²).
         let most = if hilbert.period.is_some() { n } else { n - 1 };
         if known >= most {
             return Some(Bound::Orbits);

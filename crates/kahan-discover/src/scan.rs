@@ -56,10 +56,10 @@ pub struct Scan {
     pub names: Vec<String>,
     /// The degrees and ranks at generic values of all scanned parameters.
     pub generic: DegreesAndRanks,
-    /// The points of the grid, in the order in which the last parameter changes fastest. Points are
-    /// missing if time ran out.
+    /// The points of the grid. The last parameter changes fastest. Points are missing if time ran
+    /// out.
     pub points: Vec<GridPoint>,
-    /// Relations between scanned parameters at which all points of the grid are special.
+    /// Relations between scanned parameters. Every grid point that satisfies a relation is special.
     pub relations: Vec<Proposal>,
     /// Whether time ran out.
     pub out_of_time: bool,

@@ -103,7 +103,7 @@ fn formulas_have_a_limit_at_small_steps() {
     }
 }
 
-/// The 24 integrals of the field have 2^24 subsets, which are too many to enumerate.
+/// The field has 24 integrals. A search over all their 2^24 subsets would take too long.
 #[test]
 fn many_integrals_are_no_burden() {
     let resting: String = (0..24).map(|i| format!("c{i}dot = 0; ")).collect();

@@ -34,7 +34,7 @@ fn drifts_are_found_where_they_are_known() {
         ),
         ("xdot = x^2 - y^2; ydot = 2*x*y;", &["drift F1 = x/(x^2 + y^2) by F1 - 2*eps;"]),
         ("xdot = 0; ydot = x*y;", &["drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);"]),
-        // The remaining fields have no drifts. They have two, one and no integrals.
+        // The remaining fields have no drifts. They have, in order, two, one and no integrals.
         ("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;", &[]),
         ("xdot = y; ydot = 6*x^2 - a;", &[]),
         ("xdot = x*(1 - y); ydot = y*(x - 1);", &[]),

@@ -1,5 +1,5 @@
-//! Fields with coefficients that depend on ε, whose maps have an integral. The map of the field at
-//! ε = 0 has no integral.
+//! Fields with coefficients that depend on ε, whose maps have an integral. If the coefficients are
+//! replaced by their values at ε = 0, the maps have none.
 //!
 //! At ε = 0 the first field is that of H = x y z² divided by z, and the second that of H = x y² z³
 //! divided by y z², with z = 1 + x + y. They are inhomogeneous reduced Nahm systems of octahedral

@@ -12,7 +12,7 @@ fn lines(report: &Report) -> Vec<&str> {
     report.integrals.iter().map(|formula| formula.text.as_str()).collect()
 }
 
-/// Checks the integrals up to degree 2 and their proofs. `FIRST_STAGE` finds `at_once` of them.
+/// Checks the integrals up to degree 2, and that the stage `FIRST_STAGE` finds `at_once` of them.
 fn check(text: &str, options: Options, at_once: usize, expected: &[&str]) {
     let options = Options { degree: Some(2), iterates: 4, seconds: 3600.0, ..options };
     let report = discover(&system(text), &options, &Recording::default()).expect("there is a map");
@@ -38,7 +38,8 @@ fn lifted_fields_show_relations_and_energies_at_once() {
     let toda = "p1dot = -a; p2dot = a - b; p3dot = b; adot = a*(p1 - p2); bdot = b*(p2 - p3);";
     let energy = "integral H2 = 2*a + 2*b + p1^2 + p2^2 + p3^2 - 2*eps^2*(a^2 - a*b + b^2);";
     check(toda, usual(), 2, &["integral H1 = p1 + p2 + p3;", energy]);
-    // Kepler's problem has a = r⁻³, b = (xp + yq)/r², c = (p² + q²)/r², F = ax, G = ay, u = −1/r.
+    // Kepler's problem for the position (x, y), the velocity (p, q) and r² = x² + y². The lift has
+    // a = r⁻³, b = (xp + yq)/r², c = (p² + q²)/r², F = ax, G = ay, u = −1/r.
     let kepler = "xdot = p; ydot = q; pdot = -F; qdot = -G; adot = -3*a*b; bdot = c - 2*b^2 - a; \
         cdot = -2*b*(a + c); Fdot = a*p - 3*b*F; Gdot = a*q - 3*b*G; udot = F*p + G*q;";
     let energy = "integral H1 = 2*u + p^2 + q^2 - eps^2*(F^2 + G^2);";
@@ -79,7 +80,7 @@ fn long_chains_show_theirs_at_once() {
     }
 }
 
-/// For the Euler top, integrals by rotation have different denominators, so others are preferred.
+/// For the Euler top, integrals with a common denominator are preferred to those by rotation.
 #[test]
 fn integrals_with_one_denominator_come_before_those_of_rotations() {
     check(

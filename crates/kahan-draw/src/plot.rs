@@ -284,7 +284,7 @@ impl Frame {
         )
     }
 
-    /// Returns the vertical range in which names beside the frame may stand.
+    /// Returns the vertical range into which the name of a vertical axis must fit.
     fn height(&self) -> [f64; 2] {
         [self.top - TOP, self.bottom + BOTTOM / 2.0]
     }

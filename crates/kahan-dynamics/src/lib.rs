@@ -25,7 +25,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Each module imports only from modules above it (`tests/tests/layers.rs`).
+// Each module imports only from modules listed before it (`tests/tests/layers.rs`).
 mod flow;
 
 pub mod periodic;

@@ -27,8 +27,8 @@ pub(super) fn placeholder_docs(follows: bool) -> TokenStream {
     quote!(#before #[doc = #line])
 }
 
-/// Writes the documentation of a system. `follows` says whether the user's documentation comes
-/// first.
+/// Writes the documentation of a system. `follows` says whether documentation by the user comes
+/// before it.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
         return placeholder_docs(follows);

@@ -26,7 +26,7 @@ struct Context<'a> {
     family: &'a Family,
     lines: Lines,
     this: Type<'a>,
-    /// The name of the plans' scalar type, which may differ from that of the parameters.
+    /// The scalar type in which plans are evaluated. The parameters may have another type.
     line_scalar: Ident,
 }
 

@@ -12,8 +12,8 @@ use super::Context;
 use super::header::{RustHeader, has_docs};
 use super::lifted;
 
-/// Returns a name from the block as an identifier. A name that is none, such as `_`, has already
-/// been reported as a mistake, and is replaced.
+/// Returns a name from the block as an identifier. A name that is no identifier, such as `_`, was
+/// already reported as a mistake, and is replaced.
 pub(super) fn identifier(name: &str, span: Span) -> Ident {
     match syn::parse_str::<Ident>(name) {
         Ok(_) => Ident::new(name, span),
@@ -64,8 +64,8 @@ impl<'a> Type<'a> {
         self.has_parameters().then(|| quote!(<#scalar>))
     }
 
-    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. The argument of
-    /// `formulas` says whether the user has written documentation, which comes first.
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. Calls
+    /// `formulas` with `true` if the user has written documentation, which comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
@@ -123,8 +123,8 @@ pub(super) const LISTS: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
 
 /// Expands to `impl E6 { pub const X: usize = 0; … }`, with the index of each state.
 ///
-/// A state gets no constant if the name is in use. Only `E7<f64>` has the constants, so that
-/// `E7::X` needs no type annotation.
+/// A state gets no constant if its name is already in use. A generic type such as `E7<T>` has the
+/// constants only for `f64`, so that `E7::X` needs no type annotation.
 pub(super) fn emit_state_indices(context: &Context<'_>) -> TokenStream {
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
     let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();

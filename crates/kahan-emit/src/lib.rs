@@ -274,7 +274,7 @@ fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     diagnostics
         .iter()
         .map(|diagnostic| {
-            // syn extends the error over all tokens from the first to the last.
+            // syn marks all tokens from the first to the last, so the error needs only these two.
             let first = Ident::new("first", at(diagnostic.span.first));
             let last = Ident::new("last", at(diagnostic.span.last));
             syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error()

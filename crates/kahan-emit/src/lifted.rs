@@ -38,7 +38,7 @@ pub(super) struct Lifted {
 pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     let mut mistakes = Diagnostics::default();
     let block = parse_lifted(tokens, &mut mistakes);
-    // `lift` finds these mistakes again, so they are dropped here.
+    // `lift` reports the same mistakes, so they are dropped here.
     drop(mistakes.finish());
     let place = block.header.as_ref().map_or(block.lift, |header| Some(header.name.span));
     let place = place.unwrap_or(Span::token(0));
@@ -153,7 +153,7 @@ fn with_proved_claims(system: System, lift: &Lift, tokens: &[Token]) -> Checked 
 }
 
 /// Tests in floats whether an unproved integral is constant if the relations of the lift hold. A
-/// step must change it at most 1e-9 times as much as a step from states that violate the relations.
+/// step may then change it at most 1e-9 times as much as a step from states that violate them.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;

@@ -1,9 +1,9 @@
 //! Computes greatest common divisors of multivariate polynomials over ℚ.
 //!
 //! Monomials are divided out first. Images modulo a prime then bound the degree of the gcd in each
-//! variable. Often the bounds prove that the gcd is 1, or remove variables. The remaining cases
-//! take trial division and the subresultant remainder sequence. All results are exact. The prime
-//! affects only the speed.
+//! variable. Often the bounds prove that the gcd is 1, or that variables do not occur in it.
+//! Otherwise trial division or the subresultant remainder sequence finds the gcd. All results are
+//! exact. The prime affects only the speed.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
@@ -98,8 +98,8 @@ fn gcd_of_coefficients(
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
 }
 
-/// Computes the gcd as polynomials in the variable of least degree, as the product of the gcd of
-/// the contents and the gcd of the primitive parts.
+/// Takes a and b as polynomials in the variable of least degree. Multiplies the gcd of their
+/// contents by the gcd of their primitive parts.
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,

@@ -6,10 +6,10 @@
 //!
 //! # Proof
 //!
-//! Let a and b have integer coefficients, a primitive, and the primitive gcd g. By Gauss's lemma
-//! a = g·h with integer coefficients, so lc(a) = lc(g)·lc(h) for leading coefficients in v. If a
-//! and its image have equal degree in v, so have g and its image. The image of g divides both
-//! images.
+//! Let a and b have integer coefficients, let a be primitive, and let g be their primitive gcd. By
+//! Gauss's lemma a = g·h with integer coefficients, so lc(a) = lc(g)·lc(h) for leading coefficients
+//! in v. If a and its image have equal degree in v, so have g and its image. The image of g divides
+//! both images.
 
 use kahan_syntax::table::Table;
 

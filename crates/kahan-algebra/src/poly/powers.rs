@@ -1,5 +1,5 @@
-//! Lists of powers. Short lists need no allocation. In an unoptimised expansion of the macro,
-//! allocating each list took a tenth of the time.
+//! Lists of powers. Short lists need no allocation. In a macro built without optimisation,
+//! allocating each list took a tenth of the macro's time.
 
 use super::Variable;
 

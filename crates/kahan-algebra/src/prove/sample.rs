@@ -11,8 +11,8 @@ use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::symbols::Symbols;
 use crate::system::Condition;
 
-/// The plans of the numerators of the field, and of the matrix A with each row multiplied by the
-/// denominator of its equation.
+/// The plans for the numerators of the field and for the matrix A. Each row of A is multiplied by
+/// the denominator of its equation.
 pub(super) struct FieldPlans {
     pub(super) symbols: Symbols,
     pub(super) numerators: Plan,
@@ -142,9 +142,9 @@ pub(super) fn evaluate_conditions<A: OverRationals>(
     Some(())
 }
 
-/// Draws a random point of fractions with terms up to `height`, and imposes the conditions. ε is
-/// positive and parameters are nonzero, unless the conditions fix them. Returns `None` if a
-/// condition divides by zero, or if ε = 0.
+/// Draws a random point whose coordinates are fractions with numerators and denominators up to
+/// `height`, and imposes the conditions. ε is positive and parameters are nonzero, unless the
+/// conditions fix them. Returns `None` if a condition divides by zero, or if ε = 0.
 pub(super) fn small_point(
     scheme: &FieldPlans,
     conditions: &[Condition],

@@ -49,7 +49,6 @@ pub(super) fn points_for(scheme: &FieldPlans, claim: &Claim) -> Option<u32> {
 /// numbers are too large.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
-    // The error probability e of a point satisfies e·2⁶⁰ ≤ 64·(bits/60 + 1) + degree.
     let draws = const { MOST_DRAWS as u64 * MOST_DRAWS as u64 };
     let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(draws)?;
     let lost = u64::BITS - units.leading_zeros();
@@ -57,7 +56,7 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
     Some(ERROR_EXPONENT.div_ceil(gained))
 }
 
-/// Takes one step in the arithmetic of sizes. The size of x̃ follows from Cramer's rule.
+/// Takes one step with bounds on sizes in place of values. Cramer's rule bounds the size of x̃.
 fn sample(scheme: &FieldPlans, claim: &Claim) -> Option<Sample<FractionSize>> {
     let n = scheme.dimension();
     let mut here = vec![FractionSize::variable(); scheme.variables];
@@ -69,7 +68,7 @@ fn sample(scheme: &FieldPlans, claim: &Claim) -> Option<Sample<FractionSize>> {
     for (row, right) in extended.iter_mut().zip(&right) {
         row.push(*right);
     }
-    // One bound holds for the minors in the denominator and the numerators of the map.
+    // This bounds the denominator and every numerator of the map: all are minors of `extended`.
     let minor = SizeArithmetic.determinant(&extended);
     let increment =
         SizeArithmetic.multiply(&SizeArithmetic.add(&eps, &eps), &SizeArithmetic.divide(&minor, &minor)?);

@@ -51,8 +51,6 @@ pub(crate) fn reduced(
         while let Some(before) = own.next_if(|(other, _)| other < column) {
             difference.push(before.clone());
         }
-        // Reducing fractions of long numbers costs more than multiplying them, so it is charged
-        // here.
         let long = entry.numerator().coefficient_words().max(words) - 1;
         budget.charge(long.saturating_mul(long).saturating_mul(COST_OF_FRACTIONS))?;
         let product = entry.mul_within(factor, budget)?;

@@ -84,8 +84,7 @@ impl Formulas<'_> {
         Some(rows.collect())
     }
 
-    /// Returns ∂x̃/∂x in lowest terms, with a gcd for each entry. Returns `None` if the budget is
-    /// exceeded.
+    /// Returns ∂x̃/∂x with every entry in lowest terms. Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
         /// The most multiplications of terms for an entry, which take some tenths of a second.

@@ -76,7 +76,7 @@ pub trait Notation: fmt::Debug {
         Precedence::Power
     }
 
-    /// Writes the sum over all sites of a written summand.
+    /// Writes the sum of `summand` over all sites of a lattice.
     fn over_sites(&self, summand: &str) -> String {
         format!("sum({summand})")
     }
@@ -99,7 +99,7 @@ pub trait Notation: fmt::Debug {
         }
     }
 
-    /// Writes the name of a variable. Second states get a prime.
+    /// Writes the name of a variable. In a bilinear form Q(x, x'), the states of x' get a prime.
     fn variable(&self, symbols: &Symbols, variable: Variable) -> String {
         match symbols.symbol(variable) {
             Symbol::SecondState(i) => format!("{}'", self.name(&symbols.states[i])),

@@ -237,8 +237,7 @@ impl Definitions<'_> {
             "step" | "general step" => next,
             "det A" => vec![determinant],
             "(N, D)" => over(determinant),
-            // The denominator is unique only up to a constant factor, so the reduced map gives its
-            // value.
+            // The denominator is unique only up to a factor, so that of the reduced map is used.
             "(N, D) reduced" => {
                 let map = derived.map.as_ref().expect("there is a reduced map");
                 over(self.place.polynomial(&map.reduced.denominator))

@@ -68,7 +68,7 @@ impl IndexFile {
         }
         fs::create_dir_all(folder).map_err(|error| refused(&error.to_string()))?;
         let path = folder.join("index.html");
-        // Dropping the stream removes its temporary file.
+        // Fails if the file cannot be opened. Dropping the stream removes its temporary file.
         drop(OutputStream::file(&path, "--out")?);
         Ok(IndexFile { path, since })
     }

@@ -118,7 +118,7 @@ const OF_ORBITS: [&str; 12] = [
     "fused",
 ];
 
-/// Parses an observable with one value, or the name of a column. The help lists observables only.
+/// Parses the name of a column, or of an observable that is one number. The help omits columns.
 #[derive(Clone, Copy)]
 struct Colours;
 
@@ -170,7 +170,7 @@ impl QuestionCommand for Chart {
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
-        // The first range of a chart varies fastest, but the last axis of an `Over` does.
+        // The first range of a chart varies fastest, so it becomes the last axis of the `Over`.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))
     }

@@ -46,7 +46,7 @@ fn with_system_names(command: Command) -> Command {
     })
 }
 
-/// Returns the names of systems for fish, because its generator leaves out positional values.
+/// Returns completions of systems for fish, because clap's generator omits positional arguments.
 fn fish_systems(command: &Command) -> String {
     let takes_system = |one: &&Command| one.get_positionals().any(|argument| argument.get_id() == "system");
     let taking = joined(command.get_subcommands().filter(takes_system).map(Command::get_name), " ");

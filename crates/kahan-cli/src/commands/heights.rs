@@ -142,7 +142,6 @@ fn shown_rows(count: usize) -> Vec<usize> {
     if count <= ALL {
         return (0..count).collect();
     }
-    // The rows are 10, 20, …, 100, 200, …: nine rows for each decade.
     let decades = iter::successors(Some(10), |row: &usize| Some(row + 10_usize.pow(row.ilog10())));
     (0..10).chain(decades.take_while(|row| *row < count - 1)).chain([count - 1]).collect()
 }

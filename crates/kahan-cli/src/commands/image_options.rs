@@ -54,7 +54,7 @@ impl ImageOptions {
         line.with_changed_options::<Self>(&said)
     }
 
-    /// Returns the canvas. Without --size it is one column wide for --paper, and otherwise `usual`.
+    /// Returns the canvas. Its default size is that of `usual`, or a text column with --paper.
     pub(super) fn sheet(&self, mut usual: Canvas) -> Canvas {
         let theme = if self.paper { Theme::Paper } else { self.theme };
         match self.size {

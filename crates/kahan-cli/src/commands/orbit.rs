@@ -153,7 +153,7 @@ impl QuestionCommand for Orbit {
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
         let study = asked[0].study(&self.stepped(&study)?)?;
-        // Orbits are checked before rows are written: a refused one leaves no partial table.
+        // All orbits are checked before rows are written, so that no partial table is left.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
         let (names, has_places) = (["start".to_owned()], begun.len() > 1);
@@ -167,7 +167,7 @@ impl QuestionCommand for Orbit {
 }
 
 impl Orbit {
-    /// Returns the field with the steps that the options select.
+    /// Returns the field, with fused steps if --fused is given.
     fn stepped(&self, study: &Study) -> Result<Study, UsageError> {
         let fused = self.stepping.fused;
         if fused && (self.method != Method::Kahan || self.scalar == ScalarKind::Exact) {

@@ -99,15 +99,15 @@ pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> Strin
 /// Cells wider than this are regarded as sentences, which may be broken into lines.
 const SENTENCE_WIDTH: usize = 24;
 
-/// Returns the width that each column needs if its heading is broken after every word.
+/// Returns the width of each column if its heading is broken after every word.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let heading = heading.iter().enumerate();
     heading.map(|(column, name)| longest_word(name).max(largest(rows, column, length))).collect()
 }
 
-/// Narrows the widest columns until the total is `width`. A column stays at least as wide as its
-/// longest word and as its entry in `least`. Returns `None` if the columns stay too wide.
+/// Narrows the widest columns until the total is `width`. No column becomes narrower than its
+/// longest word, or than its entry in `least`. Returns `None` if the columns stay too wide.
 fn narrowed_widths(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
     let least: Vec<usize> =

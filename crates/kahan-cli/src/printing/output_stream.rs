@@ -50,7 +50,7 @@ impl OutputStream {
         let refused = |reason: &str| {
             UsageError::new(format!("{option}: cannot write the file {}: {reason}", path.display()))
         };
-        // A symbolic link is kept, and its target is replaced, but never a device or a directory.
+        // The target of a symbolic link is replaced. Devices and directories are refused.
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),
@@ -72,7 +72,7 @@ impl OutputStream {
         Ok(OutputStream(Destination::File { writer: BufWriter::new(file), path, unfinished }))
     }
 
-    /// Opens a file for a table. The file name may lack an extension.
+    /// Opens a file for a table. Its name must end in `.csv` or have no extension.
     pub(crate) fn table(path: &Path) -> Result<Self, UsageError> {
         if path.extension().is_none() || is_table(path) {
             return Self::file(path, "--out");

@@ -29,7 +29,7 @@ impl ProgressDisplay {
         Self::showing(true, || bar(steps, what))
     }
 
-    /// Makes a bar of the steps of orbits, hidden if the rows go to a terminal and not to a file.
+    /// Makes a bar that counts steps of orbits. It is hidden if the rows go to a terminal.
     pub(crate) fn beside_rows(in_file: bool, steps: u64) -> Self {
         Self::showing(in_file || !stdout().is_terminal(), || bar(steps, "steps"))
     }

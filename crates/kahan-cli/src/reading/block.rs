@@ -75,7 +75,7 @@ impl Block {
         Subject::block(self.text.clone())
     }
 
-    /// Returns the parameters that the text does not declare; none for a block in Rust.
+    /// Returns the parameters that nothing declares. In Rust, the program declares all of them.
     pub(super) fn undeclared(&self) -> Vec<String> {
         if self.is_rust { Vec::new() } else { self.text.undeclared() }
     }

@@ -15,7 +15,7 @@ use crate::printing::joined;
 /// The files of an archive by name, without `.npy`.
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// The indices of the states in a term: none in c, one in B, two in Q.
+/// The indices of the states that a coefficient multiplies: none for c, one for B, two for Q.
 type States = [Option<usize>; 2];
 
 /// An array with its entries as (row, column, value). Each row is a component of the field.

@@ -202,7 +202,7 @@ impl Source {
         self
     }
 
-    /// Returns the requested lift. The choice depends on the initial point and the parameters.
+    /// Returns the lift of --lift. An automatic choice depends on `start` and the values `near`.
     pub(super) fn lifting(
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,

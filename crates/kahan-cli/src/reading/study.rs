@@ -19,7 +19,7 @@ impl Source {
         self.study_of(self.subject()?, at, &[])
     }
 
-    /// Returns the field as `study_at` does, but refuses false claims. Parameters may lack values.
+    /// Returns the field like `study_at`, but fails on false claims. Parameters need no values.
     pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.proved_over(at, &[])
     }
@@ -36,7 +36,7 @@ impl Source {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
-    /// Returns the field for display. Without a point `at`, a lift follows [`Study::shown_orbit`].
+    /// Returns the field for display. Without `at`, a lift is chosen along [`Study::shown_orbit`].
     pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }

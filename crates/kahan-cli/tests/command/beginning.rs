@@ -2,7 +2,7 @@
 
 use crate::running::{answer, shell, text};
 
-/// Skips the suggested `kahan verify` line, whose claims `crates/kahan-paper/tests` proves.
+/// Runs the suggested commands except `kahan verify`, which `crates/kahan-paper/tests` covers.
 #[test]
 fn the_command_alone_shows_lines_that_run() {
     let told = answer(&[]);

@@ -91,7 +91,6 @@ fn printed_lines_go_into_a_block_as_they_stand() {
             reading(&equations.join(" "), &lines).system().expect("a system").claims.len(),
             lines.len()
         );
-        // A block has at most one density, so only the other claims are added.
         let own = reading(block, &[]).system().expect("a system").claims.len();
         let (densities, new): (Vec<String>, Vec<String>) =
             lines.iter().cloned().partition(|line| line.starts_with("density "));
@@ -241,7 +240,7 @@ fn the_lagrange_top_has_four() {
     reading(find("lagrange").expect("in the catalog").text(), &texts(&found["integrals"]));
 }
 
-/// With expanded numerators and denominators, the catalog took 10 546 characters.
+/// With expanded numerators and denominators, all integrals and densities had 10 546 characters.
 #[test]
 #[ignore = "the whole catalog: seconds in a release build, minutes in another"]
 fn the_catalog_is_written_in_six_tenths_of_the_characters() {

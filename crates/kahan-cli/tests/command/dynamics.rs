@@ -289,7 +289,7 @@ fn charts_show_what_each_orbit_does() {
         let rate = if r < 0.0 { 0.0 } else { (0.1 * r.sqrt()).atanh() / 0.1 };
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }
-    // Values do not depend on the order of the axes or on threads.
+    // Values do not depend on the order of the axes or on the number of threads.
     let mirrored = chart(&["x=0:2:/3", "r=-4:4:/4"], &["--color", "lyapunov"], &file("x.csv"));
     let mut turned: Vec<_> = cells(&mirrored).into_iter().map(|[x, r, value]| [r, x, value]).collect();
     let mut rows = cells(&table);
@@ -297,7 +297,7 @@ fn charts_show_what_each_orbit_does() {
     turned.sort_by(order);
     rows.sort_by(order);
     assert_eq!(rows, turned);
-    // The chart over r alone has the cells at x = 1 of the table, because of `--at 1,0`.
+    // Because of `--at 1,0`, the chart over r alone has the values of the table's cells at x = 1.
     let column = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.csv"));
     let of_one: Vec<String> = rows
         .iter()
@@ -326,7 +326,7 @@ fn charts_show_what_each_orbit_does() {
         assert_eq!((exponent.is_none(), line.contains(",escaped,")), (escapes, escapes), "{line}");
     }
     assert!(bound("b.svg").contains("4 cells empty: 4 escaped"));
-    // The denominator d = 1 − ε²r has a root below ε = 1/10 if r > 100.
+    // The denominator 1 − ε²r vanishes at some ε between 0 and 1/10 if r > 100.
     let poles = cells(&chart(&["r=0:200:/4", "x=1:2:/2"], &["--color", "passed_poles"], &file("s.csv")));
     let count = |r: &Option<f64>| Some(if *r > Some(100.0) { 100.0 } else { 0.0 });
     assert!(poles.iter().all(|[r, _, found]| *found == count(r)), "{poles:?}");

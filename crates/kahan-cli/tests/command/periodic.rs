@@ -85,7 +85,7 @@ fn a_branch_goes_round_its_fold() {
         table.starts_with("a,n,x,stability,multiplier1_re,multiplier1_im,change\n1.0,0,1.0,attracting,"),
         "{table}"
     );
-    // The map has the fixed points of the flow, at which a = x².
+    // The fixed points of the map are those of the flow, ẋ = 0, so a = x².
     for row in table.lines().skip(1) {
         let numbers: Vec<f64> = row.split(',').filter_map(|cell| cell.parse().ok()).collect();
         assert!((numbers[0] - numbers[2] * numbers[2]).abs() < 1e-10, "{row}");
@@ -232,7 +232,7 @@ fn limit_cycles_of_the_flow_are_found_with_their_eps() {
         let steps = number(&found["period"]);
         assert!((2.0 * eps * steps / period - 1.0).abs() < 1e-2, "{flow}");
         assert_eq!(found["stability"], "attracting");
-        // The eigenvalues λ of the equations for r = √(x² + y²) and z satisfy λ² + λ + 6/5 = 0.
+        // In √(x² + y²) and z the cycle is a fixed point, with eigenvalues of real part −1/2.
         let size = flow["multipliers"].as_array().expect("multipliers").iter();
         let size: Vec<f64> = size.map(|one| number(&one[0]).hypot(number(&one[1]))).collect();
         assert!(
@@ -254,7 +254,7 @@ fn limit_cycles_keep_the_totals_of_their_start() {
     assert!((number(&found["flow"]["period"]) - 2.0 * std::f64::consts::PI / 3.0).abs() < 1e-8, "{found}");
     let totals = found["points"].as_array().expect("points").iter().map(|x| number(&x[0]) + number(&x[3]));
     assert!(totals.into_iter().all(|total| (total - 1.5).abs() < 1e-15), "{found}");
-    // If no integral is held, the cycles form a family, with one cycle for each total.
+    // If no integral is held, the cycles form a family with one cycle for each value of x + w.
     let free = kahan(&[&line[..], &["--hold", "none"]].concat());
     assert_eq!(free.status.code(), Some(1));
     assert!(text(&free.stderr).contains("family"), "{}", text(&free.stderr));

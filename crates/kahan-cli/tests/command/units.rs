@@ -13,7 +13,7 @@ fn scaled(n: i64, exponent: i32) -> String {
     if exponent < 0 { format!("{n}/{power:.0}") } else { format!("{:.0}", n as f64 * power) }
 }
 
-/// Returns the arguments in scaled units, with the start (3/4, 1/4) and ε = 1/8 in unscaled units.
+/// Returns the arguments in scaled units. In unscaled units, the start is (3/4, 1/4) and ε is 1/8.
 fn arguments(command: &str, [k, j]: [i32; 2], more: &[&str]) -> Vec<String> {
     let (start, eps) = (format!("{},{}", scaled(3, -k - 2), scaled(1, -k - 2)), scaled(1, -j - 3));
     let values = [format!("q={}", scaled(1, k)), format!("nu={}", scaled(1, j))];

@@ -73,8 +73,8 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Claims of a case may have equal names, so each claim is read in a separate block, together
-    // with the drifts listed before it.
+    // Names of claims may repeat, so each claim is read in a block of its own. Drifts listed before
+    // it are included, because the claim may refer to them.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

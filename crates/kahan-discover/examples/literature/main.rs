@@ -18,11 +18,11 @@ const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/literature/ca
 /// Compares the findings of `discover` with published results, case by case.
 ///
 /// A case is a JSON object on a line of its own, with `name`, `source` and `field`. `params` fixes
-/// parameters. `known` holds the published facts: `independent_integrals` and `growth` must be
-/// equal, `densities` and `drifts` are lower bounds, each of the `bracket_ranks` must occur, and
-/// `seconds` is the longest time. `shortest` lists claims in their shortest known form: each is
-/// proved, and at least as many claims of each kind must be found. `limit` names the reason why a
-/// known fact is out of reach. `comment` is for readers.
+/// parameters. `known` holds the published facts: the findings must equal `independent_integrals`
+/// and `growth`, reach the numbers `densities` and `drifts`, contain each of the `bracket_ranks`,
+/// and take at most `seconds` seconds. `shortest` lists claims in their shortest known form: each
+/// is proved, and at least as many claims of each kind must be found. `limit` names the reason why
+/// a known fact is out of reach. `comment` is ignored.
 ///
 /// A row shows the numbers of independent and of printed integrals, the growth of degrees, the
 /// numbers of densities and drifts, and the ranks of the brackets. The seconds until the last
@@ -64,7 +64,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints a row for each case. Returns whether all cases agree with known facts or name a limit.
+/// Prints a row per case. Returns whether every case agrees with known facts or has a `limit`.
 fn compared(arguments: &Arguments) -> Result<bool, String> {
     let path = arguments.file.display();
     let text = std::fs::read_to_string(&arguments.file).map_err(|error| format!("{path}: {error}"))?;

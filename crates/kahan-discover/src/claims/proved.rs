@@ -88,9 +88,9 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// Returns the name of the system's own density, if a density without a `when` clause would
-    /// have to replace it: a `kahan!` block may hold only one. Claims have this clause if values
-    /// are fixed.
+    /// Returns the name of the system's own density if a found density must replace it, because a
+    /// block may hold only one without `when`. Returns `None` if values are fixed, because found
+    /// claims then have a `when` clause.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;

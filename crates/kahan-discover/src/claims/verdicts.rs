@@ -66,7 +66,7 @@ fn degrees(report: &Report) -> String {
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // Omits a bound of n or more, or if orbits already show the greatest possible number.
+    // The bound adds nothing if it is n or more, or if all integrals that orbits allow are found.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }

@@ -75,13 +75,13 @@ pub fn measure_space(
 /// The highest degree of a product in a density 1/∏ factors.
 const HIGHEST_PRODUCT: u32 = 12;
 
-/// The highest sum of the degrees of numerator and denominator in a density that is a quotient.
+/// For quotients of two products, the highest sum of the degrees of numerator and denominator.
 const HIGHEST_QUOTIENT: u32 = 16;
 
 /// Finds an invariant density of least degree, and tells which degrees were searched.
 ///
-/// Each degree up to 12 is tried with 1 over a product of `factors`, and each degree up to
-/// `highest` with 1/P for a polynomial P. Quotients of products of `factors` come last.
+/// For each degree in turn, it tries 1/P for products P of `factors`, up to degree 12, and for all
+/// polynomials P, up to degree `highest`. Then it tries quotients of two products of `factors`.
 pub fn measure(
     searched: &SearchField,
     factors: &[Polynomial],

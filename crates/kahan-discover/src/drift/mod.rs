@@ -162,8 +162,8 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
 
 /// Drops the first invalid drift, and all later drifts, because they may depend on the first.
 ///
-/// A drift is invalid if it is a function of integrals and earlier drifts, or if its claim names an
-/// integral of the former list `before` that the new list `integrals` lacks.
+/// A drift is invalid if it is a function of `integrals` and earlier drifts, or if its claim names
+/// an integral that is in the old list `before` but not in `integrals`.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,
     searched: &SearchField,
@@ -232,7 +232,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Adds the drifts of the invariant space over ℚ whose basis has the monomials of `form`.
+    /// Reconstructs over ℚ the invariant space with the monomials of `form`, and adds its drifts.
     fn of_space(
         &mut self,
         monomials: &Monomials,
@@ -257,7 +257,7 @@ impl Search<'_> {
         let (rows, matrix) = (split(rows, width), split(matrix, size));
         let symbols = self.searched.family().symbols();
         let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
-        // Returns s·Σ vᵢPᵢ for the basis P, and the factor s that makes the sum short.
+        // Returns s·Σ vᵢPᵢ and s, where the Pᵢ are the basis, and the factor s makes the sum short.
         let element = |vector: &Vec<RationalFunction>| {
             let (numerators, common) = RationalFunction::over_common(&normal::image(vector, &rows));
             let whole = combination(&states, monomials, &form.support, &numerators);

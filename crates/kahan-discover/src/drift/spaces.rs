@@ -50,9 +50,9 @@ impl Points {
         Some(Points { modulus, values })
     }
 
-    /// Returns the largest space of polynomials that the map sends to itself times a cofactor. The
-    /// cofactor is a product of the candidate factors with these `exponents`. Each basis element is
-    /// paired with its image.
+    /// Returns the largest space V such that for each P in V, P(x̃) = C(x)·Q(x) for some Q in V.
+    /// The cofactor C is the product of the candidate factors with these `exponents`. Each basis
+    /// element P is paired with its Q.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {

@@ -1,9 +1,8 @@
-//! First-order recurrences: states whose next value is a function of the state and of earlier
-//! drifts.
+//! Finds states whose next value is a function of the state itself and of earlier drifts.
 //!
 //! If a drift or integral F is a Möbius function of a single state xᵢ, then xᵢ is a function of F.
-//! If the next value of another state w contains only w and states known in this way, then w is a
-//! drift. The product of w with a power of an earlier drift may have a shorter text.
+//! Let w be another state. If its next value contains no states except w and those known in this
+//! way, w is a drift. The product of w with a power of an earlier drift may have a shorter text.
 
 use std::slice::from_ref;
 
@@ -146,7 +145,7 @@ impl TriangularSystem {
         self.steps.push([drift, in_states, next]);
     }
 
-    /// Returns the drift with the shortest text among those from the first state that yields any.
+    /// Returns the first state that is a drift, or its product with a power of a drift if shorter.
     pub(super) fn link(&self, name: &str) -> Option<DriftCandidate> {
         if self.steps.is_empty() {
             return None;

@@ -16,7 +16,7 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::primitive_in_states;
 
-/// Integrals known before a search are accepted once it has more unknowns than this.
+/// Before a search with more unknowns than this, all integrals known so far are accepted.
 const MOST_AHEAD: usize = 150;
 
 /// An integral P/Q is not simplified if P and Q have at most this many characters together.
@@ -52,7 +52,7 @@ impl AcceptedIntegrals<'_> {
         }
     }
 
-    /// Accepts the integrals `known` up to this degree, or all if a search of it is expensive.
+    /// Accepts `known` integrals up to this degree, or all if a search of the degree is expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
@@ -139,9 +139,8 @@ impl AcceptedIntegrals<'_> {
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of the accepted integrals in the coordinates of a level set. The list
-    /// is empty if the level set is not the whole space, because the integrals that define the
-    /// level set are constant on it.
+    /// Returns the gradients of the accepted integrals in the coordinates of a level set. On a
+    /// proper level set the list is empty, because the integrals that define it are constant there.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

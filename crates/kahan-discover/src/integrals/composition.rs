@@ -21,7 +21,7 @@ pub struct CompositionIntegrals {
     pub hilbert: Hilbert,
     /// For each given formula, whether the composed map preserves it.
     pub formulas: Vec<bool>,
-    /// Pairs of formulas for which the composed map preserves the quotient, but neither formula.
+    /// Pairs of formulas whose quotient the composed map preserves, but not the formulas.
     pub quotients: Vec<(usize, usize)>,
 }
 

@@ -10,7 +10,7 @@ use crate::modular::subspace::primitive_in_states;
 const LIMIT_WORK: u64 = 2_000_000;
 
 /// Returns a polynomial P′ such that P′/Q depends on the states at ε = 0. While P/Q has a limit c
-/// without states, P − cQ replaces P, after division by all its factors without states.
+/// without states for ε → 0, P is replaced by P − cQ, without the factors that contain no state.
 pub(crate) fn with_a_limit(
     symbols: &Symbols,
     mut numerator: Polynomial,

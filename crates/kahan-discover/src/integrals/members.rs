@@ -145,7 +145,7 @@ pub(crate) fn members(
     found
 }
 
-/// Returns the polynomial in the spans of both pairs, if the spans intersect in a line.
+/// Returns the polynomial that spans the intersection of the pairs' spans, if it is a line.
 fn common_element(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
     let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
     let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
@@ -154,7 +154,7 @@ fn common_element(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]
     Some((0..here[0].len()).map(own).collect())
 }
 
-/// Properties of a special element F that do not depend on the parameters and ε.
+/// Properties of a special element F that are equal in all samples, and so identify F.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct MemberProperties {
     multiplicity: usize,
@@ -184,8 +184,8 @@ fn special_elements(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // For one c the polynomial F = P + cQ lacks the highest power of s. There ∇F is a solution (G,
-    // H) of the equations even if F does not factor, so this root is removed once.
+    // For one c the polynomial F = P + cQ lacks the highest power of s. Then ∇F solves the
+    // equations even if F does not factor, so this c is removed from the roots once.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;
@@ -284,8 +284,8 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
     let columns = p.len();
     let mut determinants = Vec::new();
     for _ in 0..2 {
-        // Each row is a random combination of the equations: the coefficients of Q, then those of
-        // P.
+        // Each row is a random combination of the equations. Its first half is a row of a square
+        // matrix Q, and its second half a row of P.
         let mixed = (0..columns).map(|_| {
             let mixer: Vec<u64> = (0..p[0].len()).map(|_| modulus.sample(random)).collect();
             q.iter().chain(p).map(|column| modulus.dot(&mixer, column)).collect()
@@ -294,7 +294,7 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
         if echelon.rank_of_first(columns) < columns {
             return None;
         }
-        // The polynomial det(P + cQ) in c equals det(c + Q⁻¹P) times the constant det Q.
+        // Elimination leaves Q⁻¹P, whose eigenvalues are −c for the roots c of det(P + cQ).
         let negated = |row: &Vec<u64>| row[columns..].iter().map(|&entry| modulus.opposite(entry)).collect();
         let coefficients = characteristic(modulus, echelon.rows.iter().map(negated).collect());
         determinants.push(coefficients.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>());

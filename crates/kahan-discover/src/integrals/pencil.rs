@@ -46,8 +46,8 @@ pub(crate) struct PencilEntry {
 }
 
 impl PencilEntry {
-    /// Finds the quotient P/Q that equals this coefficient of each orbit's relation at the start of
-    /// the orbit. Returns `None` unless exactly one quotient does.
+    /// Finds the quotient P/Q whose value at the start of each orbit is this coefficient of the
+    /// orbit's relation. Returns `None` unless exactly one quotient has this property.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,

@@ -33,8 +33,8 @@ pub struct SearchGoals<'a> {
     pub proved: &'a [Formula],
     /// Polynomial integrals of the flow that the map preserves.
     pub kept: &'a [Polynomial],
-    /// Integrals P/Q that are accepted once the search has passed their degree, and a deadline. The
-    /// others are accepted at the end of the search, unless this deadline has passed.
+    /// Integrals P/Q, and a deadline. Each integral is accepted once the search has passed its
+    /// degree. After the search, the rest are accepted, unless the deadline has passed.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
     /// The number and degrees of integrals as seen on orbits. With `None`, nothing is searched.
     pub hilbert: Option<&'a Hilbert>,
@@ -75,7 +75,7 @@ pub fn integrals(
     }
     let (further, end) = aims.further;
     if !further.is_empty() && !end.passed() {
-        // More integrals may be known than orbits show, so their number is not limited here.
+        // `further` may hold more integrals than orbits show, so their number is not limited here.
         collector.wanted = usize::MAX;
         collector.offer_further(u32::MAX);
     }
@@ -207,8 +207,8 @@ impl AcceptedIntegrals<'_> {
         (members.len() > 1).then_some(members)
     }
 
-    /// Accepts as integrals the quotients of all elements of `basis` by one of them: the simplest
-    /// one for which a quotient is accepted.
+    /// Divides the elements of `basis` by one of them, and accepts the quotients as integrals. The
+    /// divisor is the simplest element for which some quotient is accepted.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();

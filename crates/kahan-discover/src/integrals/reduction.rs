@@ -1,8 +1,8 @@
 //! Simplifies integrals P/Q by subtraction of a known product from the numerator.
 //!
-//! Let M be a product of factors of known integrals that has the cofactor of Q. Then M/Q is an
-//! integral. If P and M are proportional on the zeros of a factor q of Q, some combination αP − βM
-//! is divisible by q.
+//! Let M be a product of factors of known integrals with M(x̃)/M(x) = Q(x̃)/Q(x). Then M/Q is an
+//! integral. If P/M is constant on the zeros of a factor q of Q, some combination αP − βM is
+//! divisible by q.
 
 use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
@@ -13,8 +13,8 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
 use crate::modular::subspace::primitive_in_states;
 
-/// Cancels factors of the denominator, one by one. For this, a multiple of a product of
-/// `factors`, which are factors of known integrals, is subtracted from a multiple of the numerator.
+/// Cancels factors of the denominator one by one. For this, it subtracts a product of `factors`
+/// from the numerator, each times a constant. The `factors` divide known integrals.
 pub(crate) fn reduced(
     searched: &SearchField,
     step: &SampledStep,

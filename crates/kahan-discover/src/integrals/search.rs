@@ -61,9 +61,9 @@ pub fn spanned_pencils<M: ModularStep>(
 
 /// Finds [`Pencil`]s of exactly this degree in which coefficients of relations are quotients P/Q.
 ///
-/// `known` returns the gradients at a point of functions of which the integrals must be
-/// independent. The list is empty if the deadline passes. For P and Q with N monomials each, the
-/// search needs 2N orbits, and (2N)³ multiplications for each coefficient of a relation.
+/// `known` returns the gradients of known functions at a point. The integrals must be independent
+/// of these functions. The result is empty if the deadline passes. For P and Q with N monomials
+/// each, the search needs 2N orbits, and (2N)³ multiplications for each coefficient of a relation.
 pub fn pencils_of_entries<M: ModularStep>(
     map: &M,
     relation_degree: u32,

@@ -44,7 +44,7 @@ pub struct SampledStep {
 }
 
 impl Sample {
-    /// Returns a random point with its image, or `None` at a pole.
+    /// Returns a random point x and its image x̃ under the map. Returns `None` at a pole.
     pub fn step(self, random: &mut SplitMix64) -> Option<SampledStep> {
         let here = self.map.point(random);
         let there = self.map.next(&here)?;
@@ -134,8 +134,8 @@ impl SearchField {
         self.family.at(modulus, parameters, eps)
     }
 
-    /// Chooses random values of the unknowns until the map sends a random point to an image.
-    /// Returns `None` after 16 failures.
+    /// Chooses random values of the unknowns until the map is defined at a random point. Returns
+    /// `None` after 16 failures.
     pub fn sample(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Sample> {
         (0..MOST_SAMPLES).find_map(|_| {
             let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();

@@ -23,7 +23,7 @@ pub struct Grading {
 }
 
 impl Grading {
-    /// Returns unknowns with independent weights, which can be scaled to 1. Prefers the last ones.
+    /// Chooses unknowns with independent weights, the last ones first. They can be scaled to 1.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {

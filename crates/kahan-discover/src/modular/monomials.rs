@@ -28,8 +28,8 @@ impl Monomials {
             for variable in (0..variables).rev() {
                 let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
                 for earlier in begin..end {
-                    // Multiplies only by variables up to the first one in the monomial, so that
-                    // each monomial occurs once.
+                    // A monomial is multiplied only by variables up to its first variable, so that
+                    // each product occurs once.
                     if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
                         let mut exponents = monomials.exponents[earlier].clone();
                         exponents[variable] += 1;

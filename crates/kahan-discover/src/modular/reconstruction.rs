@@ -26,7 +26,8 @@ const MOST_ON_LINE: usize = 48;
 
 const MOST_PRIMES: usize = 24;
 
-/// The most decimal digits of a numerator or denominator: half of all bits, times log₁₀ 2.
+/// The most decimal digits of a numerator or denominator. Each prime has 60 bits, a numerator gets
+/// half of the bits of all primes, and log₁₀ 2 is 0.301.
 pub(crate) const MOST_DIGITS: usize = MOST_PRIMES * 60 * 301 / 2000;
 
 const MOST_SAMPLES: usize = 8;

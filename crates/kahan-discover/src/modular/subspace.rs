@@ -108,7 +108,7 @@ pub struct FormulaVariables {
     pub unknowns: Vec<Variable>,
     /// The states that the monomials contain.
     pub states: Vec<Variable>,
-    /// The scaling symmetries with the weights of all unknowns, if known.
+    /// The scaling symmetries, and the weights of the unknowns under them, if known.
     pub weights: Option<(Weights, Vec<Vec<Rational>>)>,
 }
 

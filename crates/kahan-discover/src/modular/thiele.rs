@@ -27,7 +27,7 @@ pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Dead
         if differences.iter().all(|&difference| difference == 0) {
             return Some(usize::div_ceil(level, 2));
         }
-        // Drop points whose inverted difference is undefined because two values happen to be equal.
+        // Drops points at which the next inverted difference would divide by 0.
         let mut kept = differences.iter().map(|&difference| difference != 0);
         points.retain(|_| kept.next().expect("one for each point"));
         differences.retain(|&difference| difference != 0);

@@ -35,7 +35,7 @@ impl Weights {
             let Some(divisor) = divisors.next() else { continue };
             equations.extend(divisors.map(|other| difference(&other, &divisor)));
             for (monomial, _) in component.numerator().terms() {
-                // The weights of ε and of the term p/q in component i must sum to the weight of xᵢ.
+                // The weight of ε·monomial/divisor must equal the weight of the state xᵢ.
                 let mut row = difference(&exponents(monomial), &divisor);
                 row[count - 1] = &row[count - 1] + &Rational::one();
                 row[i] = &row[i] - &Rational::one();

@@ -73,8 +73,8 @@ impl GrowthVerdict {
     ///    degrees repeats.
     /// 2. *Quadratic*: the second differences over k steps are constant as in rule 1.
     /// 3. *Exponential*: the last four ratios dₙ₊₁/dₙ exceed 1.15. The last ratio differs by at
-    ///    most 8 % from the ratio two steps before. Its excess over 1 is at least two thirds of the
-    ///    excess of the ratio in the middle of the list. For dₙ = nᵏ it would be about one half.
+    ///    most 8 % from the ratio two steps before. The last ratio minus 1 is at least two thirds
+    ///    of the middle ratio minus 1. For dₙ = nᵏ, it is about one half of that.
     /// 4. *Undecided*: no other rule applies.
     #[must_use]
     pub fn of(degrees: &[usize]) -> Self {

@@ -35,7 +35,7 @@ pub struct Hilbert {
 /// The default degree of relations is the highest one with at most this many monomials.
 const MOST_MONOMIALS: usize = 220;
 
-/// The most monomials if the default degree is 2, which admits more variables.
+/// The most monomials at degree 2. This limit makes 2 the default degree up to 40 variables.
 const MOST_QUADRATIC_MONOMIALS: usize = 900;
 
 const HIGHEST_DEGREE: u32 = 10;
@@ -107,9 +107,9 @@ impl Hilbert {
         found
     }
 
-    /// Follows one orbit up to a higher degree, and all four orbits if this orbit shows more
-    /// integrals than `self`. No orbit shows fewer integrals than a generic orbit, because its rank
-    /// is at most the generic rank. Returns `None` as [`of`](Self::of) does.
+    /// Follows one orbit up to a higher degree. If this orbit shows more integrals than `self`,
+    /// follows all four orbits. An orbit never shows fewer integrals than a generic orbit. Returns
+    /// `None` as [`of`](Self::of) does.
     pub fn further(
         &self,
         searched: &SearchField,

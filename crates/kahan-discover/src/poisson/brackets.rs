@@ -32,7 +32,7 @@ const MOST_BRACKETS: usize = 3;
 
 const MOST_CHARACTERS: usize = 2_500;
 
-/// The most characters of a bracket of rank 2 in four dimensions beside one of full rank.
+/// In four dimensions, the most characters of a bracket of rank 2 if one of full rank is known.
 const MOST_BESIDE: usize = 400;
 
 /// A proved invariant Poisson bracket.
@@ -108,7 +108,7 @@ pub(crate) fn brackets(
     let is_full = proved.first().is_some_and(|bracket| bracket.rank + 1 >= n);
     let is_beside = is_full && n > 3;
     let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
-    // A bracket is about as long as its integrals, so it is too long if one of them is.
+    // A bracket is about as long as its integrals, so sets with a long integral are skipped.
     let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
     let mut found: Vec<String> = Vec::new();
     if let Some(density) = density.filter(|_| !is_full || n <= 4) {

@@ -26,7 +26,7 @@ const MODIFIED_WORK: u64 = 10_000_000;
 
 const MOST_STRUCTURES: usize = 4;
 
-/// For each component of the field, the number of equations beyond the number of unknowns.
+/// Each component of the field adds this many equations beyond the number of unknowns.
 const SPARE_EQUATIONS: usize = 6;
 
 /// A decomposition f = K∇H with a constant antisymmetric matrix K.
@@ -46,12 +46,12 @@ pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
 }
 
-/// Finds constant matrices K with f = K∇H, and the function H for each.
+/// Finds constant matrices K and functions H with f = K∇H.
 ///
-/// The matrix f′(x)K must be symmetric for all x, and the K with this property have a reduced
-/// basis. For each K of the basis, f = K∇H is a linear equation for the coefficients of a cubic H.
-/// If no K of the basis has an H, the sum of the basis is tried. The result is empty if H has more
-/// than 400 coefficients, or if the field is zero.
+/// The matrix f′(x)K must be symmetric for all x. The matrices K with this property form a space
+/// with a reduced basis. For each K of the basis, f = K∇H is a linear equation for the coefficients
+/// of a cubic H. If no K of the basis has an H, the sum of the basis is tried. The result is empty
+/// if H has more than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -151,7 +151,7 @@ fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     Echelon::null_vectors(modulus, rows, places.len(), &Deadline::never()).expect("there is no deadline")
 }
 
-/// Returns basis element `choice` − 1, or the sum of the basis for choice 0.
+/// Returns the sum of the basis for choice 0, and basis element `choice` − 1 otherwise.
 fn tensor_of_choice(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u64>> {
     if choice > 0 {
         return tensors.get(choice - 1).cloned();
@@ -278,7 +278,7 @@ impl Hamiltonian {
     pub fn modified(&self, searched: &SearchField, field: &Field) -> Option<(Polynomial, Polynomial)> {
         let symbols = &field.symbols;
         let mut budget = Budget::new(MOST_TERMS, MODIFIED_WORK);
-        // With H = P/q, D = det A and A = I − ε f′, H̃ = (3PD + 2ε ∇Pᵀ adj(A) f)/(3qD).
+        // With H = P/q, D = det A and A = I − ε f′: 3q H̃ = (3PD + 2ε ∇Pᵀ adj(A) f)/D.
         let potential = self.hamiltonian.numerator();
         let slopes: Vec<Polynomial> =
             (0..field.dimension()).map(|i| potential.derivative(symbols.state(i))).collect();

@@ -18,7 +18,7 @@ use crate::report::ModifiedPlace;
 /// A formula may be replaced by H + (x̃ − x)·∇H/3 if it has more characters than this.
 const LONG_FORMULA: usize = 1000;
 
-/// A formula is replaced only if it is more than this many times as long as the new text.
+/// A formula is replaced only if it is more than this many times as long as H + (x̃ − x)·∇H/3.
 const FAR_SHORTER: usize = 4;
 
 pub(crate) struct Modified {
@@ -106,8 +106,8 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // Returns the rank of all gradients without that of formula `but`. The gradient `own`
-            // of the modified Hamiltonian is included if `with_own` is true.
+            // Returns the rank of the gradients of all formulas except formula `but`. If `with_own`
+            // holds, the gradient `own` of the modified Hamiltonian is added.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

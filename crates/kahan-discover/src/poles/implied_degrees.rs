@@ -1,10 +1,10 @@
-//! Computes the degrees dₙ of iterates that singularity patterns imply, confined or not.
+//! Computes the degrees dₙ of iterates from singularity patterns, which need not be confined.
 //!
-//! Move each point of a followed curve B by δ off the curve. Its image after k steps meets a curve
-//! C to the order mₖ(B, C) in δ, and δ^sₖ(B) cancels in step k. Let Zₙ(C) count the points of a
-//! generic line that reach C at step n before any other followed curve. Then (degree of C)·dₙ =
-//! Zₙ(C) + Σ Zₙ₋ₖ(B)·mₖ(B, C), and dₙ₊₁ = d·dₙ − Σ Zₙ₊₁₋ₖ(B)·sₖ(B) for a map of degree d, with sums
-//! over B and k (Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order).
+//! Let each point of a followed curve B be moved by δ off the curve. After k steps, its image meets
+//! a curve C to the order mₖ(B, C) in δ. In step k, the power δ^sₖ(B) cancels. Let Zₙ(C) count the
+//! points of a generic line that reach C at step n before any other followed curve. Then (degree of
+//! C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·mₖ(B, C), and dₙ₊₁ = d·dₙ − Σ Zₙ₊₁₋ₖ(B)·sₖ(B) for a map of degree d,
+//! with sums over B and k (Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order).
 
 use super::jet::Image;
 
@@ -26,8 +26,8 @@ pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec
     Some(degrees)
 }
 
-/// Returns Σ Zₘ(B)·`weight`(image of B after n − m steps) over all steps m < n and all curves B,
-/// where Zₘ(B) is the number of points that first reach B at step m.
+/// Returns the sum of Zₘ(B)·`weight`(image of B after n − m steps) over all curves B and all steps
+/// m < n. Here Zₘ(B) is the number of points that first reach B at step m.
 fn later(
     first_times: &[Vec<usize>],
     curves: &[(usize, &[Image])],

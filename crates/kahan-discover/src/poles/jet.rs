@@ -36,8 +36,8 @@ pub struct Image {
     pub dimension: usize,
     /// Whether the image lies at infinity.
     pub is_infinite: bool,
-    /// The power of δ that cancelled from all homogeneous coordinates in the last step, if the
-    /// start was moved off the curve by δ.
+    /// The power of δ that cancelled from all homogeneous coordinates in the last step, where δ is
+    /// the distance of the start from the curve.
     pub shared: usize,
     /// For each followed curve, the order in δ to which its polynomial vanishes at this image.
     pub contacts: Vec<usize>,

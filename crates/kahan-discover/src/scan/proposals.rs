@@ -26,7 +26,7 @@ pub struct Proposal {
     pub relation: String,
     /// The number of grid points that satisfy the relation.
     pub points: usize,
-    /// The most frequent degrees and ranks at those points that have the fewest integrals.
+    /// Of the relation's points with the fewest integrals, the most frequent degrees and ranks.
     pub sight: DegreesAndRanks,
     /// Proved claims, ready to paste, that hold only under the relation.
     pub claims: Vec<String>,
@@ -142,7 +142,7 @@ impl<'a> RelationProver<'a> {
         formulas.filter_map(|formula| self.claim(formula, relation)).collect()
     }
 
-    /// Restricts the system to zeros of the polynomial. Eliminates a parameter or fixes ε.
+    /// Restricts the system to the zeros of the polynomial, by a value of ε or of a parameter.
     fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
         // With a fixed degree the search does not continue to higher degrees, so there is time for

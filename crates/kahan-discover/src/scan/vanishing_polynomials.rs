@@ -31,8 +31,8 @@ pub(super) struct VanishingPolynomial {
 
 /// The number of zeros required beyond the number of coefficients of a polynomial.
 const SPARE_POINTS: usize = 2;
-/// Polynomials that vanish by accident with a higher probability than this are rejected. The
-/// probability is p^(zeros − coefficients), where p is the fraction of special points on the grid.
+/// Polynomials that vanish by accident with a higher probability than this are rejected. For c
+/// coefficients and z special zeros, it is p^(z − c), where p is the fraction of special points.
 const MAX_COINCIDENCE_PROBABILITY: f64 = 0.01;
 /// The number of random sets of special points through which linear polynomials are tried.
 const POINT_CHOICES: usize = 3000;
@@ -133,8 +133,8 @@ impl<'a> Search<'a> {
         Some(Polynomial::from_terms(monomials.zip(coefficients)).primitive_part())
     }
 
-    /// Tries equations m = c m′ for coprime monomials m and m′, where the number c is the most
-    /// frequent quotient at special points where no polynomial found so far vanishes.
+    /// Tries equations m = c m′ for coprime monomials m and m′. The number c is the most frequent
+    /// value of m/m′ at special points where no polynomial found so far vanishes.
     fn two_monomials(&mut self) {
         let monomials = Monomials::new(self.names.len(), HIGHEST_DEGREE);
         let mut pairs: Vec<(usize, usize)> = (0..monomials.len())

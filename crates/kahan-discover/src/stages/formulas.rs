@@ -152,7 +152,7 @@ impl Search<'_> {
         is_independent
     }
 
-    /// Returns vectors that span the gradients of all integrals at `place`.
+    /// Returns the span of all integrals' gradients at `place`, from relations up to `degree`.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);

@@ -17,8 +17,8 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, bracket_of_structure, br
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The fraction of the remaining time for a search for formulas, if compact forms or brackets
-/// already give the invariants.
+/// The fraction of the remaining time that a search for formulas may take, if compact forms or
+/// brackets already give the invariants.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
@@ -94,8 +94,8 @@ impl Search<'_> {
         until: &Deadline<'_>,
     ) -> Vec<PoissonTensor> {
         let searched = self.searched;
-        // In two and three variables the density and enough integrals imply all brackets. In three
-        // variables, brackets up to degree 2 are still searched, because they may be shorter.
+        // In two and three variables, a density and enough integrals give all brackets. In three,
+        // those up to degree 2 are searched nevertheless, because they may be shorter.
         let is_said = searched.dimension() < 4 && integrals + 2 >= searched.dimension();
         let highest = if is_said { 2 } else { u32::MAX };
         match before {
@@ -124,7 +124,7 @@ impl Search<'_> {
         let of_tensor =
             tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
-        // A bracket of full rank implies a density. If the density was not found in this way, its
+        // A bracket of full rank implies a density. If `pfaffian_density` did not find it, its
         // formula is long, so little time is spent on a search for it.
         let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
         let for_formulas = until.after_share(SHARE_FOR_FORMULAS);

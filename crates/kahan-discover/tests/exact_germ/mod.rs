@@ -6,8 +6,8 @@ use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 
-/// Homogeneous coordinates of a point that is moved by δ off a curve, as polynomials in δ and the
-/// parameters of the curve. Terms of higher degree than 1 in these parameters are dropped.
+/// Homogeneous coordinates of a point that is moved by δ off a curve. They are polynomials in δ and
+/// `slopes`, the parameters of the curve, of degree at most 1 in the parameters.
 pub(crate) struct ExactGerm {
     map: Vec<Polynomial>,
     degree: u32,

@@ -32,7 +32,7 @@ pub(crate) fn check_lines(text: &str, report: &Report) {
     assert!(reading.diagnostics().is_empty(), "{block}: {:?}", reading.diagnostics());
 }
 
-/// Reports on a field, and asserts the degrees of integrals and density.
+/// Reports on a field, and asserts the degrees of its integrals and of its density, if any.
 pub(crate) fn check(text: &str, integrals: &[u32], density: Option<u32>) -> Report {
     check_with(text, &options(), integrals, density)
 }

@@ -74,7 +74,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     }
     let whole = digits(text);
     let decimals = digits(text[whole.len()..].strip_prefix('.')?);
-    // A number with one decimal may be a section number, and stays unchanged.
+    // A number with a single decimal, such as 4.1, may be that of a section, and stays unchanged.
     if whole.is_empty() || decimals.len() < 2 {
         return None;
     }
@@ -83,7 +83,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     Some((format!("{whole}{point}{kept}"), whole.len() + 1 + decimals.len()))
 }
 
-/// Writes a Greek name as its letter, and digits after it or after `a` as an index: `alpha1` is α₁.
+/// Writes `alpha1` as α₁, and other Greek names likewise. In `a12`, too, digits become an index.
 fn word(word: &str) -> String {
     let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let letter = match stem {

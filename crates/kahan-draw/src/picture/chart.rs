@@ -96,7 +96,7 @@ impl Chart {
         if self.is_lower_bound { format!("{quantity}, at least") } else { quantity }
     }
 
-    /// Describes the ranges of the axes. Two ranges extend to the outer edges of the cells.
+    /// Describes the ranges of the axes. A chart over two ranges extends to the edges of its cells.
     fn description(&self) -> String {
         let through = |axis: &Axis| {
             let ends = if self.axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
@@ -125,7 +125,7 @@ impl Chart {
         if ends.is_empty() { String::new() } else { format!(": {}", ends.join(", ")) }
     }
 
-    /// Describes empty cells, equal values, and values outside the colour scale.
+    /// Returns a note if cells are empty, if all values are equal, or if some have no colour.
     fn note(&self, scale: Option<&NumberLine>) -> String {
         const ROUNDING: f64 = 1e-13;
 

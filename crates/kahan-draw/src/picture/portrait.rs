@@ -179,7 +179,7 @@ pub fn portrait(
 /// Chooses marks by the number of points. Orbits with few distinguishable positions get large dots.
 fn marks(visits: &[OrbitExtent], look: &PictureOptions) -> Vec<Mark> {
     const FEW: usize = 24;
-    /// A line through more points than this is thin.
+    /// Lines are thin if they have more points than this in total.
     const LINES: usize = 2000;
 
     let others = visits.iter().filter(|visits| visits.places > FEW);

@@ -51,7 +51,7 @@ fn luminance([r, g, b]: Linear) -> f64 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
-/// Returns the contrast ratio, from 1 to 21.
+/// Returns the contrast ratio of two colours, from 1 to 21, by the formula of WCAG 2.
 pub(super) fn contrast(one: Linear, other: Linear) -> f64 {
     let (a, b) = (luminance(one) + 0.05, luminance(other) + 0.05);
     (a / b).max(b / a)

@@ -163,8 +163,7 @@ impl Canvas {
         Canvas { pixels, view_box: (scale * width, scale * height), theme }
     }
 
-    /// Makes the canvas of a drawing within a page. In a file, each unit of the view box is one
-    /// pixel.
+    /// Makes the canvas of a drawing within a page. Each unit of its view box is one pixel.
     #[must_use]
     pub fn page(width: u32, height: u32) -> Self {
         Canvas {

@@ -1,6 +1,6 @@
 //! Axes with round ticks. If all values have equal leading digits, the axis subtracts a number from
-//! the values. It divides very large or small values by a power of ten. The name of the axis states
-//! both, as in `(x − 2.5) / 10⁻⁸`.
+//! the values. Then it divides very large or small values by a power of ten. The name of the axis
+//! states the number and the power, as in `(x − 2.5) / 10⁻⁸`.
 
 use super::script::superscript;
 
@@ -122,7 +122,7 @@ impl NumberLine {
     /// labels.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let unit = self.unit();
-        // Successive steps differ by a factor of 2 or 2.5, so some step gives four to seven ticks.
+        // Round steps differ by factors of 2 or 2.5, so one of them gives four to seven ticks.
         let finer = |factors: &'static [f64]| {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };
@@ -142,8 +142,8 @@ impl NumberLine {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
         let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
-        // Rounding to a few decimals hides errors such as in 0.1 + 0.2. A step of 0.25 needs one
-        // decimal more than a step of 0.2.
+        // Ticks have as many decimals as the step: one for 0.2, two for 0.25. The factor 1.001
+        // allows for rounding errors of a step such as 0.1.
         let size = (-libm::log10(step * scale * 1.001).floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
             let digits = step * scale * 10_f64.powi(decimals as i32);

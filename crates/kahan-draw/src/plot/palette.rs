@@ -47,9 +47,9 @@ const CURVES: [Colour; 6] = [
     Colour::curve("--c6", "#6b7280", "#9aa3af"),
 ];
 
-/// The fill and stroke of one kind of element. Colours are written as attributes of elements,
-/// because all programs read attributes. For [`Theme::Viewer`], a style sheet replaces light
-/// colours by dark colours.
+/// The fill and stroke of one kind of element. Colours are attributes of elements, because all
+/// programs that show SVG read attributes. For [`Theme::Viewer`], a style sheet replaces them by
+/// dark colours on dark screens.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint {
     class: &'static str,

@@ -40,7 +40,7 @@ mod tests {
             let mean = (light[64] - light[0]) / 64.0;
             assert!(mean > 1.0, "{kind:?}: {mean}");
             for step in light.windows(2).map(|pair| pair[1] - pair[0]) {
-                // Without short-wave cones, violet and dark blue look alike, so any growth will do.
+                // Without short-wave cones, violet is like blue: the lightness need only increase.
                 let least = if matches!(kind, ColourVision::NoShort) { 0.0 } else { mean / 3.0 };
                 assert!(step > least && step < 2.5 * mean, "{kind:?}: {step} of {mean}");
             }

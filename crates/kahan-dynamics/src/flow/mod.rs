@@ -39,7 +39,7 @@ pub(crate) use series::SeriesScalar;
 pub struct Flow<T> {
     pieces: Vec<TaylorPiece<T>>,
     end: f64,
-    /// Distances and the scale use this number of variables, counted from the first.
+    /// The number of variables, from the first on, that count in distances and in the scale.
     measured: usize,
     scale: f64,
     slope: f64,
@@ -110,7 +110,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             let series = expansion.at(x, rate);
             rate = 1.0 / series.radius;
             flow.pieces.push(TaylorPiece::of(&series, t));
-            // Lengths of steps are of type `f64`, so that their sums are exact in double-double.
+            // Steps are of type `f64`, so that their sum `t` is exact in double-double.
             let step = series.reach().min(2.0 * last);
             // Near a pole each step is a fixed fraction of the time left until the pole, so very
             // short steps show that the solution escapes.
@@ -171,8 +171,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         self.slope
     }
 
-    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Components that do not
-    /// change have no effect.
+    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Constant components do
+    /// not contribute.
     pub fn turning(&self) -> f64 {
         self.turning
     }

@@ -53,8 +53,8 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
         Self { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
     }
 
-    /// Expands the solution at `start`. The guess `rate` of 1/ρ, for the radius of convergence ρ,
-    /// is corrected by a few trials. The cost is about TERMS²/4 evaluations of the bilinear form.
+    /// Expands the solution at `start`. For the radius of convergence ρ, `rate` is a guess of 1/ρ
+    /// that a few trials correct. The cost is about TERMS²/4 evaluations of the bilinear form.
     pub(super) fn at(&self, start: SVector<T, N>, rate: f64) -> Series<T, N> {
         const NEAR: f64 = (1_u64 << 16) as f64;
         const TRIALS: usize = 16;
@@ -126,8 +126,8 @@ impl<T: SeriesScalar, const N: usize> Series<T, N> {
 /// 14 (2005) 99). Each component has its own estimate, because a small one may grow.
 ///
 /// Let p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), and let x₀, …, x_K be the coefficients
-/// of a component. The estimate is h/p for the largest h with |x_K|h^K ≤ p^K |xₖ|hᵏ for some k ≤
-/// K/2. A step h then omits terms of about p^K times the component's size or less.
+/// of a component. The estimate is h/p for the largest h such that some k ≤ K/2 satisfies |x_K|h^K
+/// ≤ p^K |xₖ|hᵏ. A step h then omits terms of about p^K times the component's size or less.
 fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {
@@ -143,7 +143,7 @@ fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     (0..N).map(|i| estimate(i, last).min(estimate(i, last - 1))).fold(f64::INFINITY, f64::min)
 }
 
-/// Returns the power of 2 nearest to a rate, limited so that products do not overflow. The result
+/// Returns the power of 2 nearest to a rate, limited to the range from 2^−400 to 2^400. The result
 /// is 1 if the rate is 0 or NaN.
 fn power_of_two(rate: f64) -> f64 {
     let exponent = libm::log2(rate).round();

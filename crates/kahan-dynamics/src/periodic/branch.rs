@@ -53,13 +53,13 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// The bifurcations within the range, in the order of the branch.
     pub turns: Vec<ChangePoint>,
-    /// Whether the branch ended inside the range: at a pole, without convergence, where cycles
-    /// merge, after 20 times as many steps as requested, or because the callback ended it.
+    /// Whether the branch ended inside the range. The reason is a pole, no convergence, a merger of
+    /// cycles, the limit of 20 times as many steps as requested, or the callback.
     pub is_cut: bool,
 }
 
-/// A position on the branch: all points divided by the size of the first cycle, then the fraction
-/// of the parameter's range that was passed.
+/// A position on the branch: the coordinates of all points, divided by the size of the first cycle,
+/// and as the last entry the fraction of the parameter's range that was passed.
 pub(super) type BranchPosition = DVector<f64>;
 
 /// Follows a cycle from the parameter value `from` towards `to`, until the parameter leaves the
@@ -190,8 +190,8 @@ fn integers_between([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     if from < to { passed.collect() } else { passed.rev().collect() }
 }
 
-/// Returns the scale of lengths on a branch: the size of the first cycle. If that is 0, returns
-/// about how far its points move while the parameter crosses its range.
+/// Returns the scale of lengths on a branch: the size of the first cycle. If that is 0, estimates
+/// the distance that its points move while the parameter crosses its range.
 fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64 {
     if cycle.size > 0.0 {
         return cycle.size;
@@ -223,7 +223,7 @@ pub(super) trait Curve {
         BranchChange::Fold
     }
 
-    /// Returns whether a step ended on a branch of steady states or of cycles of half the period.
+    /// Returns whether a step left the branch for steady states, or for cycles of half the period.
     fn has_jumped(&self, _: &BranchPosition, _: &BranchPosition) -> bool {
         false
     }
@@ -246,8 +246,8 @@ impl<M: Parametric, F: Fn(f64) -> M> CycleCurve<F> {
         place.rows(0, place.len() - 1).into_owned()
     }
 
-    /// Returns the derivative of all φ(xᵢ) − xᵢ₊₁ with respect to the points xᵢ and, in the last
-    /// column, to the parameter.
+    /// Returns the derivatives of all φ(xᵢ) − xᵢ₊₁. The last column belongs to the parameter, and
+    /// the others to the points xᵢ.
     fn slope(&self, place: &BranchPosition) -> Option<DMatrix<f64>> {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let slope = slope(&map, &cycle);
@@ -295,7 +295,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for CycleCurve<F> {
             let nearer = &next - least_norm_solution(square, &gaps.push(0.0))?;
             if gaps.amax() <= RESIDUAL_TOLERANCE * next.amax().max(1.0) {
                 // Near a double multiplier 1, the error of the cycle is about the square root of
-                // the residual `gaps`, so one more step is made if it reduces the residual.
+                // the residual `gaps`, so the next point is taken if its residual is smaller.
                 let is_nearer = gaps.amax() > NEGLIGIBLE_RESIDUAL
                     && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

@@ -150,8 +150,8 @@ impl<C: Curve> BranchSegment<'_, C> {
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n((high.at, ChangePoint { change, parameter }), times.unsigned_abs()));
         };
-        // Real multipliers outside the unit circle may become complex pairs, or the reverse. These
-        // multipliers do not cross the circle, so their number `met` is subtracted.
+        // Real multipliers outside the unit circle may become complex pairs, or pairs may become
+        // real. Their number `met` is subtracted, because they do not cross the circle.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
         tell(self.turning_back(there.as_ref()), isize::from(turns_back));
         tell(BranchChange::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
@@ -213,13 +213,13 @@ impl<C: Curve> BranchSegment<'_, C> {
     fn crossing(&self, change: BranchChange, [low, high]: [&SegmentPoint; 2]) -> (f64, ChangePoint) {
         let (inner, outer) =
             if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
-        // Multipliers are sorted by decreasing modulus. The last one outside the circle crosses it.
+        // Multipliers are sorted by decreasing modulus: the last one outside the circle crosses it.
         let index = outer.cycle.outside() - 1;
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
         let size_at = |there: &BranchPosition| size_of(&self.arc.classified(there).cycle);
         let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
-        // A multiplier on the circle at `inner`, up to its error margin, may have crossed it
-        // before.
+        // At `inner` the multiplier may lie within its error margin of the circle. Then the
+        // crossing may come before `inner`.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
         let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
             (inner.at, 1.0)

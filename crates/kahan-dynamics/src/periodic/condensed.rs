@@ -28,13 +28,13 @@ pub(super) struct CondensedEquations {
 /// The corrections dxᵢ of all points, then those of the further unknowns e.
 pub(super) struct Solution {
     pub(super) step: DVector<f64>,
-    /// The smallest singular value of the condensed system divided by the largest, 0 if singular.
+    /// The smallest singular value of the condensed system divided by the largest.
     pub(super) rank: f64,
 }
 
 impl CondensedEquations {
     /// Condenses the equations at `points`. `rates(x, k)` is the derivative of the map at x with
-    /// respect to further unknown k. `gaps` holds all φ(xᵢ) − xᵢ₊₁, or `None` for zeros.
+    /// respect to further unknown k. `gaps` holds all φ(xᵢ) − xᵢ₊₁. `None` means that they are 0.
     pub(super) fn of<M: Differentiable>(
         map: &ScaledMap<M>,
         points: &[f64],

@@ -23,7 +23,7 @@ pub struct PeriodicPoint {
     pub family: usize,
     /// The scale for comparing lengths: the largest coordinate of the points or of the start.
     pub(super) size: f64,
-    /// A multiplier no farther from the unit circle than its entry here counts as on the circle.
+    /// For each multiplier, the distance from the unit circle up to which it counts as on it.
     margins: Vec<f64>,
 }
 
@@ -108,8 +108,8 @@ impl std::error::Error for NoPeriodicPoint {}
 
 /// The largest accepted residual, relative to the size of the cycle or of the start.
 pub(super) const RESIDUAL_TOLERANCE: f64 = 1e-11;
-/// The least tolerance with which |μ| is treated as 1 for a multiplier μ. A double eigenvalue loses
-/// half of the digits.
+/// The least tolerance in the test whether |μ| = 1 for a multiplier μ. Double eigenvalues lose half
+/// of their digits.
 const UNIT_CIRCLE_TOLERANCE: f64 = 1e-6;
 
 impl PeriodicPoint {
@@ -127,8 +127,8 @@ impl PeriodicPoint {
         }
     }
 
-    /// Returns whether some |μ| counts as 1 because of the error bound of the multiplier μ,
-    /// although the printed digits of |μ| differ from 1.
+    /// Returns whether some multiplier counts as on the unit circle because of its error bound,
+    /// although its printed modulus differs from 1.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
         /// The least distance from 1 that shows in the printed digits.
@@ -207,7 +207,7 @@ impl Linearized {
     fn of(factors: &[DMatrix<f64>]) -> Self {
         let (derivative, error) = product(factors);
         if !derivative.iter().all(|entry| entry.is_finite()) {
-            // With NaN or infinity the decompositions below would not terminate, and are skipped.
+            // The decompositions below would not terminate for NaN or infinity, and are skipped.
             let n = derivative.nrows();
             let multipliers = vec![Complex::new(f64::NAN, f64::NAN); n];
             return Linearized { multipliers, family: 0, margins: vec![f64::INFINITY; n] };
@@ -266,7 +266,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // A difference of eigenvalues below `least` becomes `least`, because sums are divided by it.
+    // Differences of eigenvalues are divisors, so smaller ones are replaced by `least`.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];
@@ -281,7 +281,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
             let sum: Complex<f64> = (i..j).map(|k| left[k] * triangular[(k, j)]).sum();
             left[j] = -sum / pivot(triangular[(j, j)] - eigenvalue);
         }
-        // Both vectors are 1 at index i, and one of the two is 0 at each other index, so yᴴx = 1.
+        // `right` and `left` are 1 at index i. Elsewhere one of them is 0, so their product is 1.
         let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, libm::hypot);
         (eigenvalue, norm(&right) * norm(&left))
     };

@@ -30,8 +30,8 @@ impl FlowCycle {
         2.0 * self.eps * self.cycle.points.len() as f64
     }
 
-    /// Refines the cycle to twice the number of steps, which quarters the error of the period. If
-    /// the period changes from T to T₂, T₂ + (T₂ − T)/3 has an error of order ε⁴.
+    /// Refines the cycle to twice the number of steps, which quarters the error of the period. For
+    /// the periods T before and T₂ after this, T₂ + (T₂ − T)/3 has an error of order ε⁴.
     ///
     /// # Errors
     /// Returns [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found, or an error
@@ -50,7 +50,7 @@ impl FlowCycle {
     /// Returns whether the cycle has `steps` steps and nearly the given ε.
     #[must_use]
     pub fn is_near(&self, steps: usize, eps: f64) -> bool {
-        /// The relative change of ε above which a cycle is treated as another cycle.
+        /// Cycles whose ε differ by more than this fraction are regarded as different.
         const NEAR: f64 = 0.1;
 
         self.cycle.points.len() == steps && (self.eps / eps - 1.0).abs() < NEAR
@@ -181,8 +181,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
         const NEWTON_ITERATIONS: usize = 60;
-        /// If the residual relative to the cycle's size is below this, one more Newton step is the
-        /// last.
+        /// Once the residual, relative to the cycle's size, is below this, one more step is made.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
@@ -272,7 +271,7 @@ impl Extrapolated {
             let factor = libm::exp2(f64::from(*power)) - 1.0;
             column = column.windows(2).map(|pair| pair[1] + (pair[1] - pair[0]) / factor).collect();
         }
-        // Extrapolation gains nothing unless the observed order is about 2.
+        // Unless the observed order is about 2, the finest value is not extrapolated.
         let [first, second] = [3, 2].map(|k| values[values.len() - k + 1] - values[values.len() - k]);
         let ratio = first / second;
         let is_regular = (2.0..8.0).contains(&ratio) || second == 0.0;

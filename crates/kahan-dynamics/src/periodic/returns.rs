@@ -12,17 +12,17 @@ pub struct CloseReturn {
     pub distance: f64,
 }
 
-/// Finds returns of an orbit to earlier points after `least` to `most` steps, and sorts close and
-/// short returns first. Each coordinate is divided by its range on the orbit.
+/// Finds returns of an orbit to earlier points after `least` to `most` steps, sorted by distance
+/// times steps. Each coordinate is divided by its range on the orbit.
 ///
-/// A later return to a point is reported only if it is ten times closer. Otherwise two rounds of a
-/// cycle would also be reported. About 2000 points are compared with `most` successors each.
+/// A later return to a point is reported only if it is ten times closer, so that two rounds of a
+/// cycle are not reported. About 2000 points are compared with `most` successors each.
 ///
 /// # Panics
 /// If the points differ in their number of coordinates.
 #[must_use]
 pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<CloseReturn> {
-    /// The number of starting points, up to a factor of two.
+    /// The number of points to which returns are searched is between this and twice this.
     const START_POINTS: usize = 1000;
     const RETURNS: usize = 24;
     /// An orbit must first leave a point by more than this, in scaled coordinates, to return to it.

@@ -246,7 +246,7 @@ fn a_cycle_at_0_is_as_near_to_it_as_its_start_is_large() {
 
 #[test]
 fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
-    // The map x̃ = x/2 + a − x²/unit has fixed points that scale with `unit`, if a does so too.
+    // If a is proportional to `unit`, so are the fixed points of the map x̃ = x/2 + a − x²/unit.
     struct Root(f64, f64);
 
     impl ByHand for Root {

@@ -20,8 +20,8 @@ pub enum NoSetting {
     },
     /// The solution escapes before the end of the scene, or no orbit with 32 digits confirms it.
     Lost {
-        /// The time of the escape, or the time until which an orbit stayed within a tenth of the
-        /// trajectory's size.
+        /// The time of the escape, or the time until which the distance of an orbit from the
+        /// trajectory stayed below a tenth of the trajectory's size.
         time: f64,
     },
     /// The solution cannot be followed to the end of the scene at a cost of at most 10⁶ steps.

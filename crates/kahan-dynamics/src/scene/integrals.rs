@@ -49,7 +49,7 @@ where
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
             }
-            // With compensation, the rounded number is the increment, which is about 2ε·rate·‖x‖.
+            // Compensated steps round only the increment, whose relative size is about 2ε·rate.
             let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
             let error = ROUNDING_SAFETY_FACTOR
                 * scene.condition

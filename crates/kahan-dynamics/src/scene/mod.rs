@@ -96,8 +96,8 @@ impl Scene {
     /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, for [`Need::Integrals`].
     ///
     /// The condition is the factor by which relative changes of the state are amplified. The
-    /// default 4 is typical of a polynomial H of degree 2 for which |H| is half the sum of the
-    /// sizes of its terms. Near zeros of H the condition is much larger.
+    /// default 4 is typical of a polynomial H of degree 2 whose terms partly cancel, so that |H| is
+    /// half the sum of their absolute values. Near zeros of H the condition is much larger.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {
         self.condition = condition;

@@ -21,7 +21,7 @@ impl<const N: usize> OrbitTask<N> for LastPoint {
     type Output = Option<SVector<f64, N>>;
 
     fn run<X>(self, mut orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output {
-        // With `Iterator::map` before `nth`, every point would be converted.
+        // `nth` comes before the conversion, so that only one point is converted.
         orbit.nth(self.0).map(|x| rounded(&widen(x)))
     }
 }

@@ -22,7 +22,7 @@ const FLOW_ROUNDING_ERROR: f64 = 1000.0 * f64::EPSILON;
 /// The relative distance of two starts whose solutions are compared.
 const NEARBY_START_DISTANCE: f64 = 1.0 / (1_u64 << 36) as f64;
 const SHARE: f64 = 0.4;
-/// A trial stops at this relative error, or at four tolerances if these are larger.
+/// A trial stops at this relative error, or at four times the tolerance if that is larger.
 const MIN_STOPPING_ERROR: f64 = 0.1;
 
 pub(super) fn choose<M, const N: usize>(
@@ -135,7 +135,7 @@ where
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < MIN_STOPPING_ERROR {
-                    // The factor 2 allows for rounding errors that are twice as large at another ε.
+                    // Rounding errors may be twice as large at the ε of another tolerance.
                     NoSetting::OutOfReach {
                         best: libm::exp2(libm::log2(2.0 * REFERENCE_ACCURACY_FACTOR * least_error).ceil()),
                     }

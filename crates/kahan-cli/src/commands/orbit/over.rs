@@ -45,7 +45,7 @@ impl Orbit {
             }
             Ok(self.question(eps.ok_or(StudyError::MissingStep)?, at))
         };
-        // Orbits are checked before rows are written: a refused one leaves no partial table.
+        // All orbits are checked before rows are written, so that no partial table is left.
         for index in 0..all.count {
             let study = all.study(index)?;
             asked(&starts[0], &all.values(index))?.begin(&study)?;

@@ -50,7 +50,7 @@ impl AnsweredQuestion {
 /// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
     pub(super) valued: &'a Field,
-    /// The field with parameter values, and with discovered integrals if the text claims none.
+    /// The field with parameter values. If its text claims no integrals, discovered ones are added.
     pub(super) kept: &'a Field,
     /// The field with only the values that the user gave.
     pub(super) generic: &'a Field,
@@ -84,7 +84,7 @@ impl Subject<'_> {
     }
 
     pub(super) fn search(&self) -> AnsweredQuestion {
-        // With a fixed degree, the result does not depend on the speed of the machine.
+        // Without a degree, a faster machine would search further in the time and find more.
         let degree = Some(default_degree(self.generic.study.variables().len()));
         let asked = Discover { degree, seconds: self.share(SEARCH_SHARE), ..Discover::default() };
         AnsweredQuestion::of(self.generic, Question::Discover(asked))
@@ -137,7 +137,7 @@ impl Subject<'_> {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
         };
-        // The first range of a chart varies fastest, but the last axis of an `Over` does.
+        // The first range of a chart varies fastest, so it becomes the last axis of the `Over`.
         let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
             let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
             let range = range.expect("printed numbers make a range");
@@ -216,8 +216,8 @@ impl Subject<'_> {
         PictureRequest { spread, seconds: SECONDS, ..PictureRequest::portrait(eps.clone(), at, steps) }
     }
 
-    /// Returns a plane halfway through the range of the third variable, or of the variable with the
-    /// longest range if the third is nearly constant.
+    /// Returns the formula of a plane through the middle of the range of the third variable. If
+    /// this variable is nearly constant, the variable with the longest range replaces it.
     fn plane(&self) -> String {
         const MOVES: f64 = 1e-3;
 
@@ -270,7 +270,7 @@ pub(super) fn command(line: &CommandLine) -> Markup {
 /// Explains by the numbers of crossings whether a section shows curves or areas.
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
-    /// An orbit with this many crossings for each distinct point, on average, is called periodic.
+    /// An orbit is periodic if it visits each distinct crossing this many times on average.
     const PERIODIC_VISITS: usize = 10;
 
     let of =

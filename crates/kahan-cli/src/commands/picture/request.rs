@@ -197,7 +197,7 @@ impl PictureRequest {
         )))
     }
 
-    /// Calls `ask` for each initial point while time remains. Also returns whether time ran out.
+    /// Calls `ask` for each initial point until time is up. Also returns whether it is up.
     fn ask_each<A>(
         &self,
         starts: &[Vec<Rational>],
@@ -208,7 +208,7 @@ impl PictureRequest {
             ProgressDisplay::new((starts.len() as u64).saturating_mul(steps), "steps").within(self.seconds);
         let mut found = Vec::new();
         for at in starts {
-            // `ask` is called for the first point even if no time is left: it may report a mistake.
+            // `ask` is called for the first point in any case, because it may return an error.
             if prompt.is_over() && !found.is_empty() {
                 break;
             }

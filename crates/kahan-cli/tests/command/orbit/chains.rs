@@ -62,7 +62,7 @@ fn a_wave_keeps_its_mass_and_its_modified_energy() {
     assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [0.0, 10.0, 20.0, 30.0, 40.0]);
     let drift =
         |column: usize| rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max);
-    // The bounds allow for rounding. The map does not preserve the unmodified energy.
+    // The map preserves `mass` and `H_modified` up to rounding, but not `H`.
     assert!(drift(4) < 1e-12 && drift(6) < 1e-11 && drift(5) > 1e-9, "{table}");
 }
 

@@ -100,7 +100,7 @@ fn orbits_stop_exactly_where_eval_has_no_next_point() {
 
 #[test]
 fn a_float_orbit_that_overflows_ends_with_finite_rows() {
-    // The map of the linear field multiplies the point by (1 + ε)/(1 − ε) = 3.
+    // At ε = 1/2, the map of this linear field multiplies the point by (1 + ε)/(1 − ε) = 3.
     let arguments =
         ["--field", "xdot = x;", "--eps", "1/2", "--at", "1e30", "--steps", "100", "--scalar", "f32"];
     let output = kahan(&arguments);

@@ -32,7 +32,7 @@ fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     assert!((number(&object, "scale") / 1.564_f64.tan() - 1.0).abs() < 1e-11, "{}", object["scale"]);
     let choice = &object["choice"];
     assert!(number(choice, "trajectory_error") <= 1e-4);
-    // At the end f′(x) = 2x is about 300, but before it is much smaller, so ε may exceed 1/300.
+    // Near the end f′(x) = 2x is about 300, but earlier it is much smaller, so ε may exceed 1/300.
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 

@@ -77,7 +77,7 @@ pub(crate) fn quotient(
     if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
 }
 
-/// A product of `content`, front/front_below, and powers of the polynomials in `sums`.
+/// A number, times a quotient of monomials `front`/`front_below`, times powers of polynomials.
 #[derive(Clone, Debug)]
 struct Product {
     content: Rational,
@@ -159,7 +159,7 @@ impl Product {
         }
     }
 
-    /// Chooses the shortest text of each factor, with powers of `by` if they are shorter.
+    /// Chooses the shortest text of each factor, which may use powers of a polynomial in `by`.
     fn shorten(&mut self, symbols: &Symbols, by: &[Polynomial]) {
         for (sum, exponent) in &mut self.sums {
             let Sum::Plain(polynomial) = &*sum else { continue };
@@ -170,8 +170,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // The monomial `front_below` is printed on the other side of the fraction
-                        // and lengthens it. For this the text counts 3/2 times its length.
+                        // The monomial `front_below` lengthens the other side of the fraction, too,
+                        // so the text is counted as 3/2 times as long.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));

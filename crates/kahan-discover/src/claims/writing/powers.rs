@@ -7,8 +7,7 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
-/// The factor content · front / front_below of a sum, where content is a number, and front and
-/// front_below are monomials.
+/// A factor taken out of a sum: the number `content` times `front`/`front_below`, two monomials.
 pub(super) struct Scale {
     pub(super) content: Rational,
     pub(super) front: Monomial,
@@ -49,8 +48,8 @@ pub(crate) fn in_powers(
     Some(PowerExpansion { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
-/// Removes all terms that contain no state, then a common factor. For example, 1 − ε²(x − ay)
-/// becomes x − ay.
+/// Removes all terms that contain no state, and divides the others by their common factor without
+/// states. For example, 1 − ε²(x − ay) becomes x − ay.
 fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     let has_states = |monomial: &Monomial| monomial.powers().iter().any(|&(v, _)| symbols.is_state(v));
     let moving = base.terms().filter(|(monomial, _)| has_states(monomial));
@@ -59,7 +58,7 @@ fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     moving.div_monomial(&common).expect("all terms have it").primitive_part()
 }
 
-/// Writes a polynomial in powers of the state-dependent terms of `base`.
+/// Writes a polynomial in powers of the sum of those terms of `base` that contain a state.
 pub(super) fn by_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -80,7 +79,7 @@ pub(super) fn by_powers(
     if front.exponent(fresh) > 0 {
         return None;
     }
-    // Rejects a sum that must be divided by a power of ε, because this loses digits at small ε.
+    // Results with a sum divided by a power of ε are rejected: they lose digits at small ε.
     if factor.exponent(symbols.epsilon()) > front.exponent(symbols.epsilon()) {
         return None;
     }

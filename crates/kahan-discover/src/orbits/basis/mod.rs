@@ -229,8 +229,8 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
 }
 
 /// Chooses the shortest bases until `wanted` integrals are independent, or no candidate is left.
-/// `gradients` holds the gradients at `place` of the integrals known before, which count too. The
-/// gradients of the new integrals are appended.
+/// Known integrals count, too: `gradients` holds their gradients at `place`. The gradients of new
+/// integrals are appended.
 pub(crate) fn choose_bases(
     candidates: &[Basis],
     wanted: usize,
@@ -337,8 +337,8 @@ fn reduced_in(
     Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }
 
-/// Returns the basis of these monomials, unless a state divides all of them. The coefficient of the
-/// lowest monomial is set to 1.
+/// Returns the basis of these monomials, in which the lowest one has the coefficient 1. Returns
+/// `None` if a state divides all of them, because their quotients by the state are a basis, too.
 fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
     let n = monomials.variables();
     if support.len() < 2 {

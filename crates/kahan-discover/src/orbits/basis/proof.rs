@@ -54,7 +54,7 @@ fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Rando
         let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
         let width = basis.terms.len();
         let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
-        // With too few independent rows, this point decides nothing.
+        // With fewer independent rows than `width` − 1, this point decides nothing.
         if fewer < width - 1 {
             continue;
         }
@@ -92,7 +92,7 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // The number of bits grows by 1 if the number of rows, or the sum of |factor|, doubles.
+    // Each row multiplies the bound on the determinant by `size` and by the sum of |factor|.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = PolynomialBound { degree: 0, bits: size * bits };
     for steps in [before, after] {

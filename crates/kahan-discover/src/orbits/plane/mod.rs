@@ -53,11 +53,11 @@ const TRIED_ITERATES: [usize; 4] = [8, 16, 32, 64];
 /// proves that growth is exponential and that no rational integral exists.
 ///
 /// **Degrees modulo a prime are lower bounds.** Let R be the factorial ring ℤ[parameters, ε]
-/// localised at the prime ideal of the prime and the sampled values. By Gauss's lemma the
-/// homogeneous components Φ of the map satisfy Φᵏ = HΨ over R, where Ψ has degree dₖ. Suppose that
-/// a point has an image under φᵏ modulo the prime. Then Ψ modulo the prime gives this image. On a
-/// line these images are rational functions of degree at most dₖ, for which Thiele's continued
-/// fraction finds at most this degree.
+/// localised at the prime ideal of the prime and the sampled values. Let Φ be the homogeneous
+/// components of the map. By Gauss's lemma their k-th iterate is HΨ over R with a common factor H,
+/// and Ψ has degree dₖ. Suppose that a point has an image under φᵏ modulo the prime. Then Ψ modulo
+/// the prime gives this image. On a line these images are rational functions of degree at most dₖ,
+/// and Thiele's continued fraction finds no higher degree.
 pub(crate) fn growth(
     searched: &SearchField,
     map: &ModularMap,

@@ -68,10 +68,10 @@ impl Forms {
     }
 
     /// Returns whether the orbit of a point meets a contracted line before any point of
-    /// indeterminacy.
+    /// indeterminacy. Then it continues like the orbit of that line's image, which is tested, too.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // Every orbit meets a line or a point of indeterminacy, so this limit is never reached.
+        // Every orbit meets a contracted line or a point of indeterminacy, so the loop returns.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -140,7 +140,7 @@ impl Forms {
         (zeros.len() <= 3).then_some(zeros)
     }
 
-    /// Returns point number t of a line. Numbers below the prime give different points.
+    /// Maps t to a point of a line. Different t below the prime give different points.
     fn on(&self, line: &Point, t: u64) -> Point {
         let modulus = self.modulus();
         let [a, b] = match line.iter().position(|&entry| entry != 0) {

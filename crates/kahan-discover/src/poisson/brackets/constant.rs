@@ -21,8 +21,8 @@ use super::polynomial::{PoissonTensor, Tensor};
 const MOST_TERMS: usize = 3_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// Computes (I − ε² f′²)K for one constant K of `structure`, if the result is an invariant bracket
-/// modulo a prime.
+/// Computes (I − ε² f′²)K for the constant matrix K in `structure`. Returns the result if it is an
+/// invariant bracket modulo a prime.
 pub(crate) fn bracket_of_structure(
     searched: &SearchField,
     field: &Field,

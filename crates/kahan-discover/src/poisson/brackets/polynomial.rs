@@ -32,7 +32,7 @@ const HIGHEST_DEGREE: u32 = 4;
 /// The most coefficients of all entries together.
 const MOST_COEFFICIENTS: usize = 600;
 
-/// The most coefficients of all entries up to degree 2, which suffice for eight variables.
+/// The most coefficients of all entries together up to degree 2, enough for eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
 /// The highest degree of entries in the search, if a bracket of full rank is already known.
@@ -132,7 +132,7 @@ impl Candidate {
 
 /// Finds up to four brackets: independent brackets of the highest rank, and one bracket of each
 /// lower rank. Entries have degrees up to `highest`, at most 4. The brackets in `known` are
-/// candidates, too. Those that are not chosen are appended, and marked as implied.
+/// candidates, too. Known brackets that are not chosen are appended, and marked as implied.
 ///
 /// The search ends at the first degree with a bracket of full rank, at the deadline, or at 600
 /// coefficients of all entries (1300 up to degree 2).
@@ -289,8 +289,8 @@ impl TensorMonomials {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Returns brackets of a rank above `best` among basis elements and their sums, by descending
-    /// rank.
+    /// Returns basis elements and sums of them that are brackets of a rank above `best`. Those of
+    /// the highest rank come first.
     fn higher(
         &self,
         map: &ModularMap,

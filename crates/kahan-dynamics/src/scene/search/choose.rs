@@ -14,14 +14,14 @@ pub(super) const COUNTED: SearchParameters = SearchParameters {
     surplus: 1.0,
     leaps: true,
     surely: 1.5,
-    // One trial may take less than half of the remaining time, because the trial that checks the
-    // flow must follow.
+    // One trial may take less than half of the remaining time, so that time is left for the trial
+    // that checks the flow.
     share: 0.45,
 };
-/// The distance of an orbit in `Dd` from an accurate flow is below the tolerance divided by this
-/// factor.
+/// A flow counts as accurate if some orbit in `Dd` differs from it by less than the tolerance
+/// divided by this factor.
 pub(in crate::scene) const REFERENCE_ACCURACY_FACTOR: f64 = 10.0;
-/// At most this many trials of each other scheme follow if plain `f64` has large rounding errors.
+/// If plain `f64` has large rounding errors, each alternative scheme has at most this many trials.
 const MORE_RUNGS: usize = 5;
 
 pub(in crate::scene) const PLAIN_DOUBLE: Scheme = Scheme::of(Precision::Double);
@@ -40,7 +40,7 @@ pub(in crate::scene) enum Verdict {
     /// No setting meets the tolerance, or no trial confirms that the flow is accurate.
     None {
         least_error: f64,
-        /// Whether rounding errors limited the accuracy of a series of trials, or of the flow.
+        /// Whether rounding errors limited the accuracy of the flow or of some series of trials.
         is_rough: bool,
     },
 }
@@ -57,7 +57,7 @@ impl<L: Trials> Search<L> {
         for composition in Composition::BEST.into_iter().rev() {
             self.refine_order(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
-                // Lower orders need more steps, and so have even larger rounding errors.
+                // Lower orders need more steps, and so would have larger rounding errors.
                 break;
             }
         }

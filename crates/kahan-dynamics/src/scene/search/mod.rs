@@ -50,9 +50,9 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to stop a scheme before its trial with `_next` steps, because success is
-    /// predicted with `_end` steps, which would take more than the fraction `_share` of the
-    /// remaining time.
+    /// Returns whether to stop a scheme before its trial with `_next` steps. Success is predicted
+    /// with `_end` steps, and these would take more than the fraction `_share` of the remaining
+    /// time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
@@ -65,7 +65,7 @@ pub struct SearchParameters {
     pub enough: f64,
     /// The error at which [`Search::refine`] aims, divided by the largest accepted error.
     pub aim: f64,
-    /// The factor on the number of steps that the law error ∝ ε^order predicts.
+    /// The number of steps that the law error ∝ ε^order predicts is multiplied by this.
     pub surplus: f64,
     /// Whether numbers of steps are skipped once errors follow the law error ∝ ε^order. Plots that
     /// need many trials set `false`.
@@ -162,8 +162,8 @@ impl<L: Trials> Search<L> {
         trial.steps as f64 * libm::pow(trial.error / error, 1.0 / f64::from(trial.scheme.order()))
     }
 
-    /// Returns whether some setting in `f64` has a larger error than a setting with fewer steps,
-    /// whose error exceeds `roundings`. Such errors arise if steps of some sizes meet poles.
+    /// Returns whether, in `f64`, some error above `roundings` became larger with more steps. This
+    /// happens if steps of some sizes meet poles.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN_DOUBLE.composed(trial.scheme.composition);

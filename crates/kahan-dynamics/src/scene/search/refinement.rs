@@ -10,8 +10,8 @@ use super::{
     EQUAL_ERROR_RATIO, PHASE_LOSS_ERROR, PLAIN_DOUBLE, PLAIN_DOUBLE_DOUBLE, Scheme, Search, Setting, Trials,
 };
 
-/// The gain of a trial is the previous error divided by its error. A trial follows the law error ∝
-/// ε^order if log(gain) divided by the predicted logarithm differs from 1 by less than this.
+/// The gain of a trial is the previous error divided by its error. Under the law error ∝ ε^order,
+/// log(gain) differs from the predicted logarithm by less than this fraction.
 const ORDER_LAW_TOLERANCE: f64 = 0.3;
 /// The error below which the law error ∝ ε^order is trusted.
 const ORDER_LAW_ERROR: f64 = 0.01;
@@ -32,7 +32,7 @@ struct ErrorReduction {
     before: f64,
     /// The previous error divided by the current one.
     factor: f64,
-    /// The logarithm of `factor`, divided by the logarithm that the law error ∝ ε^order predicts.
+    /// The logarithm of `factor`, as a fraction of what the law error ∝ ε^order predicts for it.
     part: f64,
 }
 
@@ -112,8 +112,8 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS_BEFORE_CHECK {
-                // Rounding errors vary with ε, so near the tolerance a further trial may meet it by
-                // chance.
+                // Rounding errors vary with ε. Near the tolerance, a further trial may therefore
+                // succeed by chance, and is made.
                 let is_near = trial.error <= ROUNDING_VARIATION * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
                     climb.has_stalled = true;

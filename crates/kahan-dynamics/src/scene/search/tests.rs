@@ -39,8 +39,7 @@ impl Trials for Law {
     }
 }
 
-/// Two prices of a step as functions of the order: the number of stages, and a price that favours
-/// order 4.
+/// Prices of a step for a given order: the number of stages, and a price that favours order 4.
 const PRICES: [fn(u32) -> f64; 2] = [
     |order| Composition::of_order(order).expect("an order").stages() as f64,
     |order| 0.7 + f64::from(order).powi(2),
