@@ -102,7 +102,7 @@ pub(crate) struct Chart {
 }
 
 /// The options that describe orbits. None of them is allowed with --from.
-const OF_ORBITS: [&str; 12] = [
+const OF_ORBITS: [&str; 13] = [
     "system",
     "field",
     "file",
