@@ -28,7 +28,7 @@ fn zero<M: Step<Scalar = f64>>(map: M, start: M::State) -> Option<f64> {
     first_crossing(map, start, 100_000, |x| x[0]).map(|crossing| crossing.time)
 }
 
-/// Prints and returns when the first position of each map is zero. The exact time is π/2.
+/// Prints and returns, for each map, when the first position is zero. The exact time is π/2.
 pub(crate) fn run() -> [f64; 4] {
     let eps = 0.01; // half the time step
     let clock = Clock { spring: Spring.at(eps), hand: vector![1.0, 0.0] };

@@ -75,7 +75,7 @@ pub struct Workspace<T> {
     /// The matrix A(x,ε) column by column, followed by f(x).
     columns: Vec<T>,
     factors: Vec<T>,
-    /// The pivots with a large factor below them. Later, their rows are tested for large entries.
+    /// Pivots with factors above `LARGEST_FACTOR`, whose rows are tested after the elimination.
     suspects: Vec<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! Replaces `BigRational` in builds without the feature `exact`, which rustc's errors then name.
+//! Replaces `BigRational` without the feature `exact`; rustc's errors then name this feature.
 
 use core::marker::PhantomData;
 

@@ -15,8 +15,8 @@
 //!
 //! **Rotation.** Let ẏ = m N y with a vector y of forms, a form m and a constant matrix N. Let I =
 //! yᵀQy, let QN be antisymmetric (dI/dt = 0), and let QN² = −δQ. Then I/(1 + ε²δm²) is an integral.
-//! Proof: polarisation gives (1 − εmN)ỹ = (1 + εm̃N)y. Since QN = −NᵀQ, vᵀQv is (1 + ε²δm²)Ĩ for v
-//! on the left, and (1 + ε²δm̃²)I for v on the right.
+//! Proof: polarisation gives (1 − εmN)ỹ = (1 + εm̃N)y. Since QN = −NᵀQ, vᵀQv is (1 + ε²δm²)Ĩ if v
+//! is the left-hand side, and (1 + ε²δm̃²)I if v is the right-hand side.
 
 mod linear_relations;
 
@@ -83,9 +83,9 @@ pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     found
 }
 
-/// Returns an integral of the map that at ε = 0 equals `integral`, an integral of the flow of
-/// degree at most 2. The rotation rule may change it by a constant and a factor without states.
-/// Returns `None` if neither theorem applies, or if the work is too large.
+/// Returns an integral of the map from `integral`, an integral of the flow of degree at most 2. At
+/// ε = 0 the two are equal, or by the rotation rule equal up to a constant and a factor without
+/// states. Returns `None` if neither theorem applies, or if the work is too large.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
@@ -401,8 +401,8 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(NoIntegral);
         }
-        // For a rotation, u̇/m + δy = 0 for each y. Only for `first` it may be a constant, which
-        // changes the constant term of I.
+        // For a rotation, u̇/m + δy is 0 for each y. For `first` this sum may be another constant;
+        // then the constant term of I is changed.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;

@@ -1,8 +1,8 @@
 //! The coefficients of the compositions, with 40 digits after the point.
 //!
 //! Newton's iteration on the order conditions refined the published coefficients, which have 20 to
-//! 26 digits. A test checks the order conditions, the sum 1 of each composition, and the rounding
-//! to floats. Each list ends with the middle coefficient.
+//! 26 digits. A test checks the order conditions, that the coefficients of each composition sum to
+//! 1, and the rounding to floats. Each list ends with the middle coefficient.
 
 use crate::Constant;
 

@@ -97,11 +97,11 @@ pub trait OverLanes<T> {
 pub trait InLanes: EnsembleScalar {
     /// The number of numbers in a 512-bit register, the widest register.
     const MOST: usize = 64 / size_of::<Self>();
-    /// The number of numbers in a 256-bit register.
+    /// The number of numbers in a 256-bit register. Dense columns have a multiple of this height.
     const ROWS: usize = Self::MOST / 2;
 
-    /// An entry below this fraction of the largest entry of its row, and of that of its column,
-    /// changes no bit of the solution. The square of the fraction does not underflow.
+    /// An entry changes no bit of the solution if it is below this fraction of the largest entries
+    /// in its row and in its column. The square of this fraction does not underflow.
     const NEGLIGIBLE: Self;
 
     /// Runs work with the instruction set `level`, or with the baseline if the processor lacks it.

@@ -9,8 +9,8 @@
 pub enum Level {
     /// The instructions for which the program was compiled. On x86-64 and 64-bit Arm they advance
     /// two `f64` or four `f32` at a time, elsewhere one. The bits are those of
-    /// [`KahanAt::step`](crate::KahanAt::step) unless that step divides by the time step, or more
-    /// than once. Lanes always use formulas with one division, because divisions limit the
+    /// [`KahanAt::step`](crate::KahanAt::step) unless that step divides more than once or divides
+    /// by the time step. Lanes always use formulas with one division, because divisions limit the
     /// throughput.
     Baseline,
     /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.

@@ -91,7 +91,7 @@ where
     }
 
     /// Advances one trajectory at a time, with copies of it in all lanes, because the maps have
-    /// different compositions. The bits are those of a lane of its own.
+    /// different compositions. The bits in a lane do not depend on the other lanes.
     fn in_turn(self, on: Instructions) -> Result<(), T> {
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {

@@ -27,7 +27,7 @@ pub struct Couplings<'a> {
     pub places: &'a [u32],
 }
 
-/// The range of a row's entries, with the positions of its block and its diagonal.
+/// The entries of a row of A, as the four indices that [`new`](Self::new) takes.
 #[derive(Clone, Copy, Debug)]
 pub struct CouplingRow {
     start: u32,
@@ -56,7 +56,7 @@ impl CouplingRow {
         self.own as usize..self.end as usize
     }
 
-    /// Returns the range of the row's entries to the left of the diagonal, in any diagonal block.
+    /// Returns the range of entries left of the diagonal, in the row's own and in earlier blocks.
     fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }

@@ -1,4 +1,4 @@
-//! The Kahan map of a chain, with the equations of a family at one ε and one number of sites.
+//! The Kahan map of a chain with a fixed number of sites, at a fixed ε.
 
 use core::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -202,8 +202,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// unchanged.
     ///
     /// `Ok` means |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i, proved for this
-    /// call. Here A(x,ε) and b(x,ε) = x + εBx + 2εc are exact for the given floats, k is the number
-    /// of entries in row i of A, and u is the rounding unit. Steps over exact scalars are exact.
+    /// call. Here the step's matrix A and right-hand side b are exact for the given floats, row i
+    /// of A has k entries, and u is the rounding unit. Steps over exact scalars are exact.
     ///
     /// # Errors
     /// If the state is a pole, if the state or x̃ is not finite, or if the bound is not reached by
@@ -301,8 +301,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`. With b =
-    /// x + εBx + 2εc, the result is the maximum of
+    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`. For f(x) =
+    /// Q(x,x) + Bx + c and b(x,ε) = x + εBx + 2εc, the result is the maximum of
     ///
     ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|).
     ///

@@ -1,4 +1,4 @@
-//! The boundary condition of a chain, and the sizes of its family, the equations of one site.
+//! The boundary condition of a chain, and the sizes of the equations of one site.
 
 /// The boundary condition of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub enum Boundary {
     Open,
 }
 
-/// The sizes of a family's equations, which are the equations of one site of a chain.
+/// The sizes of the equations of one site of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
     /// The number of arrays, which is the number of unknowns per site.

@@ -21,7 +21,7 @@ use super::{LatticeMap, LatticeScalar};
 pub(super) const REFINEMENTS: usize = 2;
 
 pub(super) struct PromiseCheck<T: LatticeScalar> {
-    /// Like `far`, over faster numbers, which are tried first. `None` if a divisor may be 0.
+    /// The equations over numbers tried before those of `far`. `None` if a divisor may be 0.
     near: Option<BoundedRows<T::BoundedWorking>>,
     /// The equations over numbers of unlimited range. `None` if a divisor may be 0.
     far: Option<BoundedRows<T::BoundedWide>>,
@@ -106,8 +106,8 @@ impl<J: Scalar> BoundedRows<J> {
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
-    /// Computes the residual and the backward error in row b of this site. All inputs are ≤
-    /// `largest`.
+    /// Computes the residual and the backward error in row b of this site. The number `largest`
+    /// bounds the magnitudes of ε, the parameters, and the states `before` and `next`.
     fn residual<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Residual<T>
     where
         M: LatticeMap<T>,

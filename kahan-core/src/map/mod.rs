@@ -117,8 +117,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.field_jacobian(x)
     }
 
-    /// Returns Q(x,y) + ½B(x + y) + c with the coefficients at ε. For y = x̃ the result is (x̃ −
-    /// x)/(2ε).
+    /// Returns Q(x,y) + ½B(x + y) + c, where f(x) = Q(x,x) + Bx + c has its coefficients at ε. For
+    /// y equal to x̃ the result is (x̃ − x)/(2ε).
     #[inline(always)]
     fn polarized_at(&self, x: &SVector<T, N>, y: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         let _ = eps;
@@ -134,7 +134,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         })
     }
 
-    /// Returns the right-hand side b(x,ε) = x + εBx + 2εc of the linear system A·x̃ = b.
+    /// Returns the right-hand side b(x,ε) = x + εBx + 2εc of A·x̃ = b, for f(x) = Q(x,x) + Bx + c.
     fn rhs(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         let origin = SVector::from_fn(|_, _| T::zero());
         // The vector `affine` is ½Bx + c.
@@ -146,10 +146,10 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Returns x̃, the state after one time step 2ε.
     ///
     /// Most fields of up to eight variables use a closed form: x̃ as a reduced fraction, with one
-    /// or two divisions. Over floats this form has no branches and never allocates. While ‖εf′(x)‖
-    /// is not much above 1, the error away from poles is of the order of the rounding unit. For
-    /// longer steps the error is about that of elimination with pivoting. Both hold while ‖εf′(x)‖∞
-    /// ≤ 1000, or up to the limit in the documentation of the generated type.
+    /// or two divisions. Over floats this form has no branches and never allocates. Away from
+    /// poles, the error is of the order of the rounding unit if ‖εf′(x)‖ is not much above 1. Up to
+    /// ‖εf′(x)‖∞ = 1000, or another limit in the documentation of the generated type, the error is
+    /// about that of elimination with pivoting.
     ///
     /// Some fields have a faster form that divides by ε. This form is used for |ε| from 2⁻⁸⁴ to
     /// 2⁶⁴, in `f32` from 2⁻¹⁶ to 2¹⁶. A map that is too large for a closed form uses sparse
@@ -236,8 +236,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
     }
 
-    /// Returns the determinant D(x,ε) = det A(x,ε), which is 0 at every pole. D is also 0 where a
-    /// factor of D cancels in x̃, so that the map is defined.
+    /// Returns the determinant D(x,ε) = det A(x,ε), which is 0 at every pole. D is also 0 at points
+    /// where the map is defined because a factor of D cancels in x̃.
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.matrix(x, eps))
     }

@@ -132,8 +132,8 @@ impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Indica
 /// An observer that need not see every point, because its caller can propagate its tangent vectors
 /// to a later point.
 ///
-/// The observer must see every point up to step [`PAUSE`], and later those of steps that are powers
-/// of two, or multiples of [`PAUSE`] at which a vector must be [scaled](super::are_moderate).
+/// The observer must see all steps up to [`PAUSE`]. Later, it must see each step that is a power of
+/// two, and each multiple of [`PAUSE`] at which a vector must be [scaled](super::are_moderate).
 pub trait SparseObserver<T> {
     /// Returns the number of tangent vectors.
     fn vectors(&mut self) -> usize;

@@ -72,10 +72,10 @@ pub struct SectionReport<R> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Direction {
-    /// The function s changes from negative to positive.
+    /// The function of the section changes from negative to positive.
     #[default]
     Rising,
-    /// The function s changes from positive to negative.
+    /// The function of the section changes from positive to negative.
     Falling,
     /// Sign changes in both directions are observed.
     Both,
@@ -248,9 +248,9 @@ where
     }
 }
 
-/// On the curve of a fraction of a step, returns whether `point` is infinite or near a pole. Near a
-/// pole, some variable is much larger than at the `ends` of the curve, and differs from its value
-/// at `beside`, an adjacent point.
+/// Returns whether `point`, which a fraction of a step reaches, is infinite or near a pole. Near a
+/// pole, some variable is much larger than at the `ends` of the step, and differs from its value at
+/// `beside`, an adjacent point.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
@@ -284,7 +284,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // Only the coordinates are copied, because a fraction of a step starts from them alone.
+        // A fraction of a step does not need the rounding errors that may follow coordinates.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 

@@ -45,7 +45,7 @@ impl<M: TangentMap> Spectrum<M> {
     /// Creates an observer of the `k` largest exponents of a prepared map.
     ///
     /// Vectors are orthogonalised every `every` steps. Between two orthogonalisations, no vector
-    /// may outgrow another by more than the precision of the scalar.
+    /// may grow relative to another by a factor above 1/u, where u is the rounding unit.
     ///
     /// # Panics
     /// If there are fewer variables than `k`, or `every` is 0.

@@ -24,7 +24,7 @@ const fn digits<T: FloatScalar>() -> u32 {
     3 * T::SHORT_BITS
 }
 
-/// Returns whether both heights are at most [`small`] times the larger finite height at the ends.
+/// Returns whether both values are at most [`small`] times the larger finite value of `ends`.
 pub(super) fn is_zero<T: FloatScalar>(places: [ZeroBracket<T>; 2], ends: [T; 2]) -> bool {
     let sizes = ends.map(|height| height.approximate().abs()).into_iter().filter(|size| size.is_finite());
     let most = small::<T>() * sizes.fold(0.0, f64::max);

@@ -116,7 +116,7 @@ fn negligible_factors_are_zero_and_solutions_keep_their_bits() {
     let (pattern, eps) = (lattice(24), 1e-12);
     let (smallest, exact) = solved(&pattern, eps, |_| 1.0, false);
     let (smallest_flushed, flushed) = solved(&pattern, eps, |_| 1.0, true);
-    // The largest off-diagonal entries are 5ε to 7ε; entries below ε·`NEGLIGIBLE` are negligible.
+    // Off-diagonal entries of A are −ε to −7ε; hence entries below ε·`NEGLIGIBLE` are negligible.
     assert!(smallest < eps * f64::NEGLIGIBLE, "{smallest}");
     assert!(smallest_flushed >= eps * f64::NEGLIGIBLE, "{smallest_flushed}");
     assert_eq!(flushed, exact);

@@ -105,7 +105,7 @@ fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
 #[test]
 fn growth_beyond_the_range_of_floats_is_kept() {
     let map = Along { a: 30.0_f32, b: 30.0 }.at(1.0 / 32.0);
-    // A step multiplies by 31, and 1000 steps by 10¹⁴⁹¹.
+    // A step multiplies tangent vectors by 31, and 1000 steps multiply them by 10¹⁴⁹¹.
     let still = || map.orbit(vector![0.0, 0.0]);
     let exact = 31_f64.ln() * 16.0;
     let found = still().observe(1000, Lyapunov::new(&map));

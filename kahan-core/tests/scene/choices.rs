@@ -20,7 +20,7 @@ where
     let doubt = reference.doubt(&Trajectory::new(&map, &x0, horizon, steps / 2));
     let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
     for &tolerance in tolerances {
-        // A reference with half the steps of order 8 errs 256 times as much as the reference.
+        // With order 8 and half the steps, the error is 2⁸ times that of the reference.
         assert!(doubt < 0.1 * tolerance, "{name}: the reference is known to {doubt:e} only");
         let scene = Scene::trajectory(horizon, tolerance);
         let chosen = scene.choose(&map, &x0).unwrap_or_else(|why| panic!("{name}, {tolerance:e}: {why}"));

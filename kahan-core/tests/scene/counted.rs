@@ -14,7 +14,7 @@ thread_local! {
     static FORMS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// A map over any scalar that counts its steps and its bilinear forms.
+/// A map that counts its steps and the evaluations of its bilinear form.
 #[derive(Clone, Debug)]
 struct Counted<M>(M);
 

@@ -2,7 +2,7 @@
 //! momentum p. The block states Kirchhoff's equations with the energy
 //! `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2`. The flow has four quadratic integrals. The map has four
 //! integrals of higher degree (Petrera, Pfadler and Suris, arXiv:0808.3345), of which only H is
-//! short. `kahan discover` finds H in another form, the density, and a long second integral.
+//! short. `kahan discover` finds the density, a long second integral, and H in another form.
 
 use kahan_core::prelude::*;
 

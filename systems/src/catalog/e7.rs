@@ -2,8 +2,8 @@
 //! on xi. At xi = 1 the system is E1, at xi = -1 it is E2. The map has the integral
 //! `(y/x) Gamma(xi/2 + u)/Gamma(1 - xi/2 + u)` with `u = 1/(2 eps x)`, which is rational for
 //! integer xi. The block claims the density for every xi, and all structures of E1 and E2 at xi = 1
-//! and -1. The block claims the integral at xi = 2, 3, -2, -3 and the bracket at xi = 2, 3, each
-//! multiplied by a function of eps and xi.
+//! and -1. At xi = 2, 3, -2, -3 it claims the integral, and at xi = 2, 3 a bracket with this
+//! Casimir function, up to factors of eps and xi.
 
 mod flow;
 mod integrals;

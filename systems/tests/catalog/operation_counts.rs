@@ -117,10 +117,10 @@ const BY_HAND: [(&str, usize); 8] = [
     // = x−z, a = d(y + (X+Z)δ), b = δ + Y·s, c = s − T·δ. The numerators are a·((z+z) − x·u),
     // d·b·c, a·(z·v − (x+x)): 19 additions, 26 multiplications, 1 division.
     ("e6", 46),
-    // With e times the parameters as σ, ρ, β, prepared c₀, c₁, c₂, t₀, k = 1+σ, ke = k·e, σe = σ·e,
-    // b₁ = 1+β and b₁e = b₁·e: D = X(ke·x + σe·y) + (c₀ + c₁·z), q = 2(x + σy), R = ρ−Z, T = t₀ +
-    // σZ, n₁ = 2σ(b₁·y + x((c₂−Z) − X²)), n₂ = q(b₁·R − X·Y) − 2k(b₁e·y − β(X·z)), n₃ = q(R·X + Y)
-    // − (2σ·X·Y + 2β·z·T): 19 additions, 29 multiplications, 1 division.
+    // Let σ, ρ, β be e times the parameters. Prepared constants are c₀, c₁, c₂, t₀, k = 1+σ, ke =
+    // k·e, σe = σ·e, b₁ = 1+β and b₁e = b₁·e. Then D = X(ke·x + σe·y) + (c₀ + c₁·z), q = 2(x + σy),
+    // R = ρ−Z, T = t₀ + σZ, n₁ = 2σ(b₁·y + x((c₂−Z) − X²)), n₂ = q(b₁·R − X·Y) − 2k(b₁e·y −
+    // β(X·z)), n₃ = q(R·X + Y) − (2σ·X·Y + 2β·z·T): 19 additions, 29 multiplications, 1 division.
     ("lorenz", 49),
     // With cyclic (i, j, k) and parameters w: c = (w₃−w₂, …), P = e·p, fᵢ = e·cᵢ·pⱼ, gᵢ = e·cᵢ·pₖ,
     // aᵢ = e·mᵢ + fᵢ·Pₖ, dᵢ = 1 + (Pₖ·fⱼ − Pⱼ·gₖ), s = Σ dᵢaᵢ², q = Σ dᵢaᵢpᵢ, D = d₁d₂d₃ + s, nᵢ =

@@ -1,4 +1,4 @@
-//! The arithmetics in which plans run.
+//! The arithmetics that run plans, which are programs of arithmetic operations.
 
 mod dual;
 mod fields;

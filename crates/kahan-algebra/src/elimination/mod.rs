@@ -1,4 +1,4 @@
-//! Plans the sparse elimination of A(x,ε) = I − εf′(x), once for every point x.
+//! Plans the sparse elimination of A(x,ε) = I − εf′(x). One plan serves all points x.
 //!
 //! The result lists the positions of all entries, fill-in included. The pivots are the diagonal
 //! entries, which begin as 1 − ε ∂fᵢ/∂xᵢ. Rows are never exchanged, so callers must check that no

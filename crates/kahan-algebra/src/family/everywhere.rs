@@ -2,10 +2,10 @@
 //!
 //! Each term is written relative to a site in the middle of a long chain. The *extent* of a term is
 //! the smallest interval that contains its sites. A sum over the sites vanishes in all chains if
-//! the terms of each extent cancel separately.
+//! and only if the terms of each extent cancel separately.
 //!
-//! Proof: let S(a, b) be the sum over the chain of the sites a to b. In S(a, b) − S(a+1, b) − S(a,
-//! b−1) + S(a+1, b−1), exactly the terms with extent [a, b] remain.
+//! Proof of "only if": let S(a, b) be the sum over the chain of the sites a to b. In S(a, b) −
+//! S(a+1, b) − S(a, b−1) + S(a+1, b−1), exactly the terms with extent [a, b] remain.
 
 use kahan_syntax::syntax::Boundary;
 

@@ -1,4 +1,4 @@
-//! Computes f′(x), A(x,ε) = I − ε f′(x) and b(x,ε) = x + εBx + 2εc.
+//! Computes f′(x), A(x,ε) = I − ε f′(x) and b(x,ε) = x + εBx + 2εc for f(x) = Q(x,x) + Bx + c.
 
 use kahan_syntax::rational::Rational;
 

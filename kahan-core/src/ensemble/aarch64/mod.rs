@@ -1,7 +1,7 @@
 //! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of 64-bit Arm.
 //!
-//! Every 64-bit Arm target with Rust's standard library has NEON. Each float has two lane types,
-//! because `Level::Baseline` rounds multiply-adds twice, and `Level::Neon` once.
+//! Every 64-bit Arm target with Rust's standard library has NEON. Each float type has two lane
+//! types, because `Level::Baseline` rounds multiply-adds twice, and `Level::Neon` once.
 #![expect(unsafe_code, reason = "registers of vectors, which every 64-bit Arm has")]
 
 mod lanes;

@@ -2,8 +2,8 @@
 //! separators.
 //!
 //! Each lane holds one part. The result for a part is its largest multiplier and 2S rows of 2S + 1
-//! numbers, where S = R·B is the number of unknowns of a separator. The rows of the right separator
-//! come first.
+//! numbers, where S is the number of unknowns of a separator. The rows of the right separator come
+//! first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -129,7 +129,7 @@ impl<
 struct InteriorElimination<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
-    /// The largest |multiplier| so far of a pivot row subtracted from a row of the left separator.
+    /// In each lane, the multiplier of largest magnitude with which rows of `border` were reduced.
     worst: L,
 }
 

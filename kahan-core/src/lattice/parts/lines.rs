@@ -90,8 +90,8 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // Entries left of the interior go into `left` only. In the band, the first rows of
-                // the window, which are rows of the identity, would eliminate them.
+                // Entries left of the interior are in `left` only. In the band, their columns
+                // belong to the rows of the identity with which the window starts.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();

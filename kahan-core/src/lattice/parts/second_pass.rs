@@ -1,6 +1,6 @@
 //! The second pass, which steps the interiors after the separators are solved.
 //!
-//! The states x become x + 2ε·w, where w is the solution. The elimination is repeated, because
+//! The states x become x + 2ε·w, where A(x,ε)·w = f(x). The elimination is repeated, because
 //! storing its rows would move more memory.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 

@@ -1,4 +1,4 @@
-//! The reduced banded system for the solution at the separators and at the remaining sites.
+//! The reduced banded system for the solution at the separators and at the sites in no part.
 
 use core::ops::Range;
 
@@ -45,7 +45,7 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
         if before < partition.parts() {
             add(row, joint(before), separator + k, before + 1, separator);
         }
-        // Adds the entries of A between remaining sites, and between these and the first separator.
+        // Adds entries of A between sites in no part, and between these and the first separator.
         let add_direct = |row: &mut BandRow<'_, T>, site: &Site<T>, b, columns: Range<usize>, to: usize| {
             for (column, entry) in site.entries(map, sites, b) {
                 if columns.contains(&column) {

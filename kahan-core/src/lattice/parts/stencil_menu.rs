@@ -12,7 +12,7 @@ use super::second_pass::SecondPass;
 #[derive(Clone, Copy, Debug)]
 pub enum StencilMenu {}
 
-/// Declares stencils, each by its numbers of arrays, reach, bandwidths, sites, and entries per row.
+/// Declares stencils, one per line, by numbers that the documentation of `Stencil` explains.
 macro_rules! menu {
     ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
         impl StencilMenu {

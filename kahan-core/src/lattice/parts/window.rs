@@ -20,7 +20,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
     }
 
-    /// Exchanges this row with `other` in the lanes where the first entry of `other` is larger.
+    /// In each lane, exchanges the rows if the first entry of `other` is larger in magnitude.
     #[inline(always)]
     fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where

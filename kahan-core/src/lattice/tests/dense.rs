@@ -13,7 +13,7 @@ use super::families::{Kdv, Tangled, Toda, Volterra};
 use super::parts::in_short_parts;
 use super::random;
 
-/// Returns A(x,ε) = I − εf′(x). Each column f′(x) e = ½(f(x + e) − f(x − e)) is exact, because f is
+/// Returns A(x,ε) = I − εf′(x). For every vector e, f(x + e) − f(x − e) = 2f′(x)e, because f is
 /// quadratic.
 fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DMatrix<f64> {
     let mut a = DMatrix::identity(x.len(), x.len());
@@ -23,7 +23,7 @@ fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DM
             moved[j] += by;
             DVector::from_vec(at.field(&moved))
         };
-        // The length of e, a power of two near the size of the state, keeps cancellation small.
+        // The difference is over a length near the size of the state, so that few digits cancel.
         let by = x.iter().fold(1.0, |largest: f64, x| largest.max(x.abs())).log2().floor().exp2();
         let mut column = a.column_mut(j);
         column -= (field(by) - field(-by)) * (eps / (by + by));

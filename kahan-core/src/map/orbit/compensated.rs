@@ -1,4 +1,4 @@
-//! Compensated orbits of floats. Each step adds the rounding error of the previous point.
+//! Compensated orbits of floats. Each step first adds the last rounding error to the point.
 
 use nalgebra::{ArrayStorage, SMatrix};
 

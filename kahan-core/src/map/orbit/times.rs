@@ -79,7 +79,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
                 made += 1;
                 return Some((time, x));
             }
-            // If `end` is not after the first point, this point must be computed first.
+            // If no point has been yielded, `next` computes the first, from which `part` starts.
             if is_at_end || (last == 0 && self.next().is_none()) {
                 return None;
             }

@@ -61,8 +61,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // Without a reciprocal, an increment has the weight of the number 1. The loop avoids
-        // closures, because compilers would not inline them.
+        // An increment without a reciprocal counts as a product with the reciprocal 1. The loop
+        // avoids closures, because compilers would not inline them.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
@@ -83,7 +83,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
             } else {
-                // With one reciprocal for all, the largest magnitude and weight suffice.
+                // This product bounds every component, without loss if they share one reciprocal.
                 (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input,

@@ -49,7 +49,7 @@
 //! A product, quotient or literal that underflows has an error of at most η. The error of its
 //! magnitude m has the same bound. Let all inputs be at most 2ᴸ and all products of inputs at most
 //! 2ᴮ. Then these errors grow to at most w·2ᴮ·η, where w counts operations that may underflow. A
-//! sum has the larger w of its two terms, because a sum also adds one bit to B. A product or
+//! sum has the larger w of its two terms, and adds 1 to B, which doubles the bound. A product or
 //! quotient adds 1 to the w of both operands. Every error includes the [allowance](number::Range).
 //! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. A quotient divides an
 //! error at most by the square of the smallest allowed divisor. Dividing a constant by ε multiplies

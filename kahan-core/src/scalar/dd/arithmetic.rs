@@ -69,8 +69,8 @@ pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
 
 /// Returns x/y with an error of at most 14u²·|x/y|.
 ///
-/// The remainder r = x − qy of the leading quotient q is corrected by r times the float nearest to
-/// 1/y.high, which is computed in parallel with q.
+/// The leading quotient q has the remainder r = x − qy. The correction of q is r times the float
+/// nearest to 1/y.high, which is computed in parallel with q.
 ///
 /// With x.high, y.high and q scaled into [1,2), the errors in units of u² of x/y are as follows.
 /// Products and sums in r contribute 3, because r is at most 3u·x.high. The last addition in r

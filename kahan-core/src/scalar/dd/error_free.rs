@@ -38,8 +38,8 @@ mod product {
         (product, a.mul_add(b, -product))
     }
 
-    /// Returns the exact remainder whole − ab. The number a is the rounded quotient of whole/b, or
-    /// a = b is the rounded root of whole.
+    /// Returns the exact remainder whole − ab, where a is the rounded quotient whole/b, or a = b is
+    /// the rounded square root of whole.
     #[inline(always)]
     pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
         (-a).mul_add(b, whole)

@@ -258,7 +258,7 @@ pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
 pub(super) fn significand(x: f64) -> (i64, i64) {
     let bits = x.to_bits();
     let (fraction, field) = ((bits & ((1 << 52) - 1)) as i64, (bits >> 52 & 0x7ff) as i64);
-    // A subnormal number has no hidden bit, and the exponent of the smallest normal number.
+    // A subnormal number has the exponent of the smallest normal number, and no hidden bit.
     let (size, exponent) = if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
     (if x.is_sign_negative() { -size } else { size }, exponent)
 }

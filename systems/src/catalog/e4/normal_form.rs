@@ -49,8 +49,8 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// Maps a point to one whose x and y are negative or not as `wanted(z)` says. If x = 0, x and y
-    /// are exchanged, because the solution then has the modulus k = 1, and its formula has x ≠ 0.
+    /// Maps a point to one whose x and y are negative where `wanted(z)` is `true`. If x = 0, x and
+    /// y are exchanged, because the formula of the solution then has the modulus k = 1 and x ≠ 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();

@@ -25,7 +25,7 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// Numerators as products are combined only with this many denominators, the cheapest.
+/// Numerators written as products are tried only with this number of the cheapest denominators.
 const TRIED_DENOMINATORS: usize = 2;
 /// If the factors of the numerators have more terms in total than this, numerators are written as
 /// determinants where possible.

@@ -28,7 +28,7 @@ impl FactoredMap<'_> {
     /// shorter than `recurrence`. Their constants are rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // Each term has one prepared constant, so its power of ε costs no operation.
+            // Each term has one prepared constant, which contains ε. Division by ε saves nothing.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());

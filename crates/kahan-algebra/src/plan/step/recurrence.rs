@@ -95,7 +95,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// The units of [`StepPlan::recurrence`] in a processor cycle. The number is divisible by 1, …, 6.
+/// The number of time units of [`StepPlan::recurrence`] in a cycle, which 1, …, 6 divide.
 const UNIT: u64 = 60;
 
 /// Returns the longest paths through two consecutive steps.

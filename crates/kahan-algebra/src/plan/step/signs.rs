@@ -200,7 +200,7 @@ impl<'a> SignSearch<'a> {
     }
 }
 
-/// Returns for each summand of a sum whether it is subtracted, if `of` tells which operands are
+/// Returns for each summand of a sum whether it is subtracted. `of` says which operands are
 /// negated. Returns (false, false) for other operations.
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {

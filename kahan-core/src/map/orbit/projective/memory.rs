@@ -8,7 +8,7 @@ use nalgebra::SMatrix;
 
 use crate::Scalar;
 
-/// A step loses at most ten bits if each pivot is at least this times 1 + Σ|εf′| over its column.
+/// If no pivot is smaller than this, relative to its column, a step loses at most ten bits.
 const LEAST_PIVOT: f64 = 1.0 / 1024.0;
 
 #[inline(always)]
@@ -25,7 +25,7 @@ pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N,
 }
 
 /// Returns whether A = I − εf′ is far from singular: in A or its transpose, every pivot is at least
-/// `LEAST_PIVOT` times 1 + the sum of |εf′| over its column.
+/// `LEAST_PIVOT`·(1 + s), where s is the sum of |εf′| over the pivot's column.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     if has_small_slopes(matrix) {
         return true;

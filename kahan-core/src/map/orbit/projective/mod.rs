@@ -24,7 +24,7 @@ use passage::{NoLimit, Passage, PassagePoint};
 pub use passage_scalar::ThroughPoles;
 pub use point::ProjectivePoint;
 
-/// After this number of steps, points that a pole mapped to one are assumed to stay together.
+/// After this number of steps, points that a pole mapped to one point are assumed to stay together.
 const MOST_STEPS: usize = 12;
 
 /// The maximum number of variables for which the orbit follows lines, because matrices lie on the

@@ -1,4 +1,4 @@
-//! Tests that each rule of the running error bound is nearly sharp. The rule would fail if it
+//! Tests that each rule of the running error bound is nearly sharp. A test would fail if its rule
 //! counted one rounding less, or if the reserve in the factor `SLACK` were halved.
 
 use num_traits::One;
@@ -78,7 +78,7 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
     }
 }
 
-/// The factor `SLACK` covers that (1+u)⁴⁰ − 1 exceeds 40·u, and that magnitudes are rounded down.
+/// The factor `SLACK` covers (1+u)⁴⁰ − 1 − 40·u and the downward rounding of magnitudes.
 #[test]
 fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
     with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));

@@ -90,7 +90,7 @@ fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) 
     for _ in 0..count {
         let x = SVector::from_fn(|_, _| 3.0 * unit() - 1.0);
         see(x, unit());
-        // The last factor makes 1 − 2εx small for the first variable.
+        // This ε makes 1 − 2εx₀ small.
         see(x, (1.0 + (unit() - 0.5) * power_of_two(-(16.0 * unit()) as i32)) / (2.0 * x[0]));
     }
 }
@@ -216,7 +216,7 @@ fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
 #[test]
 fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
     let least = f32::from_bits(1);
-    // The exact result, 2·7/9 of the least number, is not a float.
+    // The exact result, 2·7/9 times the smallest positive float, is not a float.
     assert!(Decay.try_step(&vector![2.0 * least], 0.125).is_err());
     assert_eq!(Decay.try_step(&vector![9.0 * least], 0.125), Ok(vector![7.0 * least]));
     let least = f64::from_bits(1);

@@ -54,7 +54,7 @@ fn both_ways_to_multiply_agree() {
     assert!((TRIALS / 4..TRIALS).contains(&made_in_place), "{made_in_place}");
 }
 
-/// Tests |q − a/b| ≤ 2⁻¹⁰²²·|a/b| for a quotient q, multiplied by b and by the denominator of q.
+/// Tests |q − a/b| ≤ 2⁻¹⁰²²·|a/b| for a quotient q, after multiplication by all denominators.
 #[test]
 fn a_quotient_is_within_the_unit() {
     let mut random = Random(3);
