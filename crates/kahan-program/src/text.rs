@@ -1,4 +1,5 @@
-//! Prints programs as text: one line for each operation, such as `v2 = x + y`.
+//! Prints programs as text: one line such as `v2 = x + y` for each operation except inputs and
+//! constants.
 
 use alloc::format;
 use alloc::string::{String, ToString};

@@ -1,7 +1,7 @@
 //! Checks every formula of Hone and Petrera's paper by `kahan-paper`, and prints the verdicts.
 //!
-//! The exit status is 1 if a claim fails, and 2 for wrong arguments. New users build this program
-//! first, so it has few dependencies.
+//! The exit status is 1 if a claim fails, and 2 for wrong arguments. `cargo run` in the root
+//! folder builds this program, so it has few dependencies.
 
 use std::env::args_os;
 use std::io::{IsTerminal, Write, stderr, stdout};

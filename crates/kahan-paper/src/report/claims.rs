@@ -1,4 +1,5 @@
-//! Writes verdicts as text: one line for each claim, or each claim with statement, source and time.
+//! Writes verdicts as text: one line for each claim and three if it fails, or each claim with
+//! statement, source and time.
 
 use kahan_algebra::render::{columns, lines as breakable, shorten, widths};
 use kahan_systems::registry::find;
@@ -10,7 +11,8 @@ use crate::verdict::{OpenQuestion, Verdict, Verdicts};
 const LEAST_SEEN: usize = 12;
 
 impl Verdicts {
-    /// Writes one line of at most `width` characters for each claim, then totals and failures.
+    /// Writes one line of at most `width` characters for each claim, the reasons below a claim that
+    /// fails, and then the totals.
     #[must_use]
     pub fn lines(&self, width: usize) -> String {
         let cells = self.claims.iter().map(|row| {

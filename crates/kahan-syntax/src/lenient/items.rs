@@ -1,5 +1,6 @@
 //! Splits the text into items, which are equations, values, claims and other statements. The end of
-//! a line, or a comma, separates two items only if a new item begins after it.
+//! a line, or a comma, separates two items only if a new item begins after it. A directive
+//! ends with its line.
 
 use std::ops::Range;
 

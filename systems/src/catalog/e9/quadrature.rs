@@ -1,4 +1,4 @@
-//! Trajectories of E9 for any ξ, with the time as an integral, and fixed points.
+//! Trajectories of E9 for ξ ≠ 0, with the time as an integral, and fixed points.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;

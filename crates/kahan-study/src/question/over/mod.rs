@@ -1,4 +1,5 @@
-//! A question at every combination of values on some axes, for charts and sweeps.
+//! A question at every combination of values on some axes, for charts and sweeps. Drawn axes vary
+//! together.
 //!
 //! The answer is a table with a row for each cell (combination). The question and the row's number
 //! determine a row, independently of threads, time and other rows.
