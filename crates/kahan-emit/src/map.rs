@@ -148,7 +148,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     })
 }
 
-/// Emits formulas for the determinant of a step's matrix, and for the map as quotients.
+/// Emits the determinant of the step's matrix, and the numerators and denominators of the map.
 fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {

@@ -18,10 +18,10 @@ use super::input_bindings::binding;
 use super::names;
 use super::number::emit_constant;
 
-/// More deeply nested values get a `let`, because deep expressions overflow the stack of rustc.
+/// Values nested deeper than this get a `let`: deep expressions overflow the stack of rustc.
 const MAX_NESTING: usize = 24;
 
-/// The Rust code of a plan. The results must be evaluated in order, because they move bindings.
+/// The Rust code of a plan. The results must run in order: a binding's last use moves it.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -73,14 +73,14 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the constants that a kernel reads, which is code that returns `None` at a pole;
-    /// `None` for other code.
+    /// For a kernel, which is code that returns `None` at a pole: the names of the constants that
+    /// it reads.
     constants: Option<&'a [String]>,
-    /// Whether each `let` contains a call that prevents auto-vectorisation.
+    /// Whether each value with a `let` passes through a function that prevents auto-vectorisation.
     has_fences: bool,
     /// For each value, the number of uses that are not yet written.
     uses: Vec<usize>,
-    /// For each value, the nesting depth of its expression, in which values with a `let` are names.
+    /// For each value, the nesting depth of its expression. Operands with a `let` do not count.
     depths: Vec<usize>,
     lets: Vec<Option<Ident>>,
     names: ValueNames,
@@ -134,7 +134,7 @@ impl<'a> Emitter<'a> {
         Emitted { bindings: self.bindings, results }
     }
 
-    /// Returns the operands that the code contains. The numerator 1 of a reciprocal is left out.
+    /// Returns the operands in the Rust code. The code of a reciprocal 1/b contains only b.
     fn operands(&self, operation: &Operation) -> impl Iterator<Item = Node> + use<> {
         let written = usize::from(self.reciprocal_of(operation).is_some());
         operation.operands().skip(written)

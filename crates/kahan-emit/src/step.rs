@@ -87,7 +87,7 @@ impl<'a> NamedStep<'a> {
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();
         let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
-        // A separate output for each use of a reciprocal lets its last use move the value.
+        // Each use of a shared reciprocal is an output of its own, so the last use needs no clone.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {

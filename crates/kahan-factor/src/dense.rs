@@ -19,8 +19,8 @@ pub fn trimmed(mut a: Dense) -> Dense {
     a
 }
 
-/// Adds the first `sums.len()` coefficients of a·b to `sums`, without the last reduction modulo the
-/// prime.
+/// Adds the first `sums.len()` coefficients of a·b to `sums`. The sums are equal to the
+/// coefficients modulo the prime, but may be larger than it.
 pub(super) fn add_product(field: PrimeField, sums: &mut [u128], a: &[u64], b: &[u64]) {
     for (shift, &left) in a.iter().enumerate().take(sums.len()) {
         for (sum, &right) in sums[shift..].iter_mut().zip(b) {

@@ -1,10 +1,10 @@
 //! Factors multivariate polynomials over ℚ into powers of irreducible primitive polynomials.
 //!
-//! Variables that divide all terms are divided out, then the gcd of the coefficients in one
-//! variable. An image in this variable is factored (`univariate`), and its factors are lifted to
-//! the other variables (`multivariate`, `sparse`, `series`). Divisions prove that factors are
-//! right. Irreducible images prove that factors are irreducible. Seeded random points affect the
-//! speed, and whether all factors are found. A budget of work ends the search.
+//! Variables that divide all terms are divided out. All variables but one are set to numbers. The
+//! resulting univariate image is factored (`univariate`), and its factors are lifted to the other
+//! variables (`multivariate`, `sparse`, `series`). Divisions prove that factors are right.
+//! Irreducible images prove that factors are irreducible. Seeded random points affect the speed,
+//! and whether all factors are found. A budget of work ends the search.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -50,8 +50,8 @@ const SQUARE_FREE_WORK: u64 = 4_000_000;
 /// even that if the gcds are too expensive. Their product is the polynomial in every case.
 ///
 /// An irreducible polynomial costs one pass over its terms for each variable and one univariate
-/// factorisation. Products of factors with t terms in n variables cost about n·t lifts in two
-/// variables. A budget of ten million units of work lasts a few seconds at most.
+/// factorisation. Products of factors with t terms in n variables cost about n·t lifts of bivariate
+/// polynomials. A budget of ten million lasts a few seconds at most.
 pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
     if polynomial.is_zero() {
         return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };

@@ -55,8 +55,8 @@ pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitM
             continue;
         }
         let draw = dense::trimmed((1..product.len()).map(|_| field.sample(rng)).collect());
-        // In a field with p elements, norm^((p − 1)/2) is 1 modulo about half of the irreducible
-        // factors, and −1 modulo the others.
+        // Modulo each irreducible factor, `norm` is in the field with p elements. Its power (p −
+        // 1)/2 is 1 modulo about half of the factors, and −1 modulo the others.
         let (mut conjugate, mut norm) = (draw.clone(), draw);
         for _ in 1..part.degree {
             conjugate = dense::power(field, &conjugate, field.prime(), &product);

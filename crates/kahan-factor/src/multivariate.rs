@@ -62,7 +62,7 @@ struct Image {
 }
 
 impl Image {
-    /// Sets all variables but the first to integers of absolute value 2 to `size` + 1, and factors
+    /// Sets all variables but the first to random integers r with 2 ≤ |r| ≤ `size` + 1, and factors
     /// the image. Returns `None` if this lowers the degree in the first variable.
     fn at(
         whole: &Polynomial,
@@ -151,8 +151,8 @@ impl Image {
         Ok(None)
     }
 
-    /// Tests leading coefficient·∏ candidate^k = whole·∏ multiplier^k, with the exponents k of the
-    /// factors, at one point modulo a prime.
+    /// Tests `lead.whole`·∏ candidateᵢ^kᵢ = `whole`·∏ multiplierᵢ^kᵢ at one point modulo a prime,
+    /// where kᵢ is the exponent of factor i.
     fn agrees_at_point(
         &self,
         whole: &Polynomial,
@@ -214,7 +214,8 @@ impl LeadingCoefficient {
         Ok(Some(Self { content: whole.content().abs(), whole, factors }))
     }
 
-    /// Returns a common multiple of the leading coefficients of all factors with this exponent.
+    /// Returns a common multiple of the leading coefficients of all factors that occur to the power
+    /// `exponent`.
     fn multiplier(&self, exponent: u32, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
         let mut product = Polynomial::constant(self.content.clone());
         for (factor, own) in &self.factors {
@@ -223,7 +224,7 @@ impl LeadingCoefficient {
         Ok(product)
     }
 
-    /// Divides out the factors that the multiplier added, and returns the primitive part.
+    /// Divides out all factors of the leading coefficient, and returns the primitive part.
     fn without_multiplier(
         &self,
         polynomial: Polynomial,

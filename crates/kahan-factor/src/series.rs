@@ -14,7 +14,7 @@ use super::dense::{self, Dense};
 pub(super) type BivariateCoefficients = Vec<Vec<u64>>;
 
 pub(super) struct LiftingProblem<'a> {
-    /// The polynomial to factor, up to a factor without x. All rows have equal length.
+    /// The polynomial to factor, times any polynomial in y. All rows have equal length.
     pub(super) whole: &'a BivariateCoefficients,
     pub(super) factors: &'a [(Dense, u32)],
     /// For each factor: a multiple of its leading coefficient, by powers of y. Each multiple has as
@@ -110,8 +110,8 @@ fn transposed(rows: &[Dense], columns: usize) -> BivariateCoefficients {
 
 /// Returns the monic polynomial in x whose k-th power is `power`, where k is `exponent`.
 ///
-/// For a root of degree d, the power is h(1/x)·x^(kd). The power series h^(1/k) has coefficients rₘ
-/// with m·rₘ = Σ_{l=1..m} (l/k − (m − l))·hₗ·r_{m−l} (Knuth, The Art of Computer Programming 4.7).
+/// For a root of degree d, let `power` be x^(kd)·Σ hₗ·x^(−l). The root is x^d·Σ rₘ·x^(−m) with m·rₘ
+/// = Σ_{l=1..m} (l/k − (m − l))·hₗ·r_{m−l} (Knuth, The Art of Computer Programming 4.7).
 fn root(
     field: PrimeField,
     power: BivariateCoefficients,

@@ -164,7 +164,7 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
 /// A polynomial in one or two variables. The others are set to successive powers of a point.
 struct PowerEvaluation {
     /// For each term: the exponents of the main and the second variable, the value of the other
-    /// factors, and the ratio of the value at the next power to this value.
+    /// factors of the term, and the number by which `next` multiplies this value.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
@@ -192,7 +192,7 @@ impl PowerEvaluation {
     }
 }
 
-/// For each power of the main variable: the monomials of a factor, and their values at a point.
+/// The monomials of a factor by their power of the main variable, and their values at a point.
 struct FactorSupport {
     groups: Table<usize, Vec<(Vec<u32>, u64)>>,
 }

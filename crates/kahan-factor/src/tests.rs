@@ -89,7 +89,7 @@ fn irreducible_ones_stay() {
         "x^4 + 1",
         "x^4 - 10*x^2 + 1",
         "x^4 - 10*x^2*y^2 + y^4",
-        // The polynomial is reducible at every square y.
+        // The polynomials x² − y and x⁴ − y are reducible if y is set to a square.
         "x^2 - y",
         "x^4 - y",
         "x^2 + y^2",
@@ -162,7 +162,7 @@ fn bad_points_are_no_matter() {
     {
         assert_eq!(all_factors(&(&left * &right)).len(), 2, "{left:?} {right:?}");
     }
-    // Both factors agree at each root y of `zeros`.
+    // Both factors are equal if y is set to a root of `zeros`.
     let (left, right) = (p("x^2 + z"), &p("x^2 + z") + &zeros);
     assert_eq!(all_factors(&(&left * &right)).len(), 2);
 }

@@ -21,8 +21,8 @@ pub(super) type Integers = Vec<BigInt>;
 
 /// This many primes are compared. The prime with the fewest factors is used for the lift.
 const COMPARED_PRIMES: usize = 5;
-/// The search for primes begins here. Two factors rarely have a common root modulo a prime this
-/// large.
+/// The search for primes begins here. Modulo a prime this large, different factors of a polynomial
+/// rarely have a common root.
 const FIRST_PRIME: u64 = 1009;
 
 /// Factors a primitive polynomial in `main`.

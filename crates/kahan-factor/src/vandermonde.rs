@@ -4,8 +4,8 @@ use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// For each column v, solves Σᵢ cᵢ·mᵢ^k = vₖ for k ≥ 1, where mᵢ are the nodes, and returns the cᵢ.
-/// Returns `None` if a node is 0 or two nodes are equal.
+/// For each column (v₁, v₂, …), returns the cᵢ with Σᵢ cᵢ·mᵢ^k = vₖ for all k, where mᵢ are the
+/// nodes. Returns `None` if a node is 0 or two nodes are equal.
 ///
 /// With q(z) = ∏_{j≠i} (z − mⱼ) = Σ qₖ·zᵏ, the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
 pub(super) fn solutions(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {

@@ -14,7 +14,7 @@ mod run;
 mod texts;
 mod words;
 
-// The included files of `kahan-jit` refer to these names by the path `crate`.
+// Files of `kahan-jit` that this crate includes refer to these names by the path `crate`.
 use kahan_jit::{
     CalledFunction, CompileError, ComposedOrbit, Constants, Float, Function, Input, Instruction,
     InstructionSet, LaneCount, Orbit, Program, Shape, Sweep,

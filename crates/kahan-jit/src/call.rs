@@ -12,7 +12,7 @@ use crate::pages::Pages;
 /// The minimum sizes of the arrays that the code reads and writes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MemoryExtent {
-    /// The count of numbers that a register holds. The other fields count registers.
+    /// A register holds this many numbers. The other fields are lengths of arrays, in registers.
     pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
@@ -38,9 +38,9 @@ impl<T: 'static> Code<T> {
     /// # Safety
     /// The bytes must begin with a function on numbers of type `T`, in instructions of this
     /// processor. Its calling convention must be that of System V on x86-64, or of C on 64-bit Arm.
-    /// Of the methods below, only the one whose arguments match the function's may be called.
-    /// If the slices have the lengths in `extent`, the function must access no other memory than
-    /// these slices and its stack.
+    /// Only the method whose arguments match those of the function may be called afterwards. If the
+    /// slices have the lengths in `extent`, the function must access no other memory than these
+    /// slices and its stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: MemoryExtent) -> Result<Self, CompileError> {
         Ok(Code { pages: Pages::new(bytes).map_err(CompileError::Pages)?, extent, floats: PhantomData })
     }
@@ -80,7 +80,7 @@ impl<T: 'static> Code<T> {
         stages: impl Iterator<Item = &'a [T]>,
         steps: u64,
     ) {
-        /// The maximum number of stages; every composition has fewer.
+        /// The maximum number of stages. Each stage runs the program once, with its own constants.
         const MOST: usize = 64;
 
         let (mut table, mut count) = ([0; MOST], 0);
@@ -105,8 +105,8 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). With `own`, each SIMD register of
-    /// trajectories has its own constants.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). If `own` is true, each group of
+    /// trajectories that share a SIMD register has its own constants.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
         /// The usual length of the address table. Clearing a longer table takes more time.
         const FEW: usize = 32;
@@ -187,8 +187,7 @@ fn written<T>(numbers: &mut [T]) -> usize {
     numbers.as_mut_ptr().expose_provenance()
 }
 
-/// Converts a number of steps to `usize`. A number that does not fit becomes `usize::MAX`, since so
-/// many steps never end.
+/// Converts a number of steps to `usize`. A number that does not fit becomes `usize::MAX`.
 fn step_count(steps: u64) -> usize {
     usize::try_from(steps).unwrap_or(usize::MAX)
 }

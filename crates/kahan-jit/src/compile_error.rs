@@ -18,7 +18,7 @@ pub enum CompileError {
         /// The number of states or of constants, whichever is larger.
         entries: usize,
     },
-    /// An operation reads a later or missing operation, or a result does not exist.
+    /// An operation reads a later or nonexistent operation, or a result is a nonexistent operation.
     Malformed,
     /// On 64-bit Arm, machine code runs only on Linux and Android.
     System,

@@ -100,7 +100,7 @@ impl InstructionSet {
     }
 }
 
-/// The number of lanes on which an instruction works.
+/// Whether an instruction works on one lane of a register or on all lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LaneCount {
     /// One lane of a register.

@@ -5,7 +5,7 @@
 //! ([`Orbit`], [`ComposedOrbit`]), or over columns of trajectories ([`Sweep`]). Results equal those
 //! of generated Rust code bit for bit. Without the feature `pages` every program is refused.
 //!
-//! `unsafe` occurs only in `call.rs`, files of `routine`, `pages/cache.rs` and a test helper.
+//! All `unsafe` code is in the modules `call`, `routine` and `pages`, and in a helper of the tests.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -1,7 +1,7 @@
 //! Lowering of programs to machine operations.
 //!
-//! The lowered program has no duplicate or unneeded operations. If multiply-adds are rounded twice,
-//! each becomes two operations. An input or constant that is a result is copied.
+//! The lowered program has no duplicate or unneeded operations. If the code does not fuse
+//! multiply-adds, each becomes two operations. Results that are inputs or constants are copied.
 
 use kahan_program::Operation::{
     Add, Call, Constant, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,
@@ -60,8 +60,8 @@ impl Lowering {
         self.lowered.push(operation)
     }
 
-    /// Returns the node of result `i`. An input or constant is copied, except states that stay in
-    /// registers, and state `i` if it stays in memory.
+    /// Returns the node of result `i`. A result that is an input or a constant is copied, unless it
+    /// is a state in a register, or state `i` in memory.
     fn result(&mut self, i: usize, place: Node, ends: ResultDestination) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
             (Instruction::Input(Input::State(_)), ResultDestination::Carried) => true,

@@ -17,8 +17,8 @@ type Memory = &'static [u8; 0];
 pub(crate) struct Pages(Memory);
 
 impl Pages {
-    /// Copies code into newly allocated pages. Fails if memory is exhausted or run-time code
-    /// forbidden.
+    /// Copies code into newly allocated pages. Fails if memory is exhausted, or if the system
+    /// forbids run-time code.
     #[cfg(feature = "pages")]
     pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
         let mut pages = memmap2::MmapMut::map_anon(bytes.len())?;

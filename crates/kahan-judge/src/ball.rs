@@ -8,7 +8,7 @@ use super::dyadic::Dyadic;
 #[derive(Clone, Debug)]
 pub(crate) struct Ball {
     middle: Dyadic,
-    /// Every operation rounds the radius up to at most [`RADIUS_BITS`] bits.
+    /// The radius. Every operation rounds it up to at most [`RADIUS_BITS`] bits.
     radius: Dyadic,
 }
 
@@ -63,7 +63,7 @@ impl Ball {
         let (high, low) =
             if self.middle.binade() >= other.middle.binade() { (self, other) } else { (other, self) };
         match (high.middle.binade(), low.middle.binade()) {
-            // A number far below the last bit of the sum only enlarges the radius.
+            // A number that is far smaller than the other only enlarges the radius.
             (Some(above), Some(below)) if above - below > bits as i64 + 8 => {
                 let radius = upper_bound(&(&radius + &upper_bound(&low.middle)));
                 Self { middle: high.middle.clone(), radius }.rounded(bits)
@@ -90,7 +90,7 @@ impl Ball {
         if self.is_zero() {
             return self.clone();
         }
-        // Let â and b̂ be the middles of a and b. Then a/b − â/b̂ = [(a − â) − (â/b̂)(b − b̂)]/b.
+        // The radius bounds a/b − â/b̂ = [(a − â) − (â/b̂)(b − b̂)]/b with the middles â and b̂.
         let (middle, unit) = self.middle.quotient(&divisor.middle, bits);
         let unit = Dyadic::new(1, unit);
         let by_divisor = &(&upper_bound(&middle) + &unit) * &divisor.radius;

@@ -23,7 +23,7 @@ impl Dyadic {
 
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (significand, exponent, sign) = Float::integer_decode(x);
-        // Trailing zeros are removed, to keep products small. The number 0, with 64 zeros, stays 0.
+        // Removing trailing zeros keeps products small. For 0, which has 64, the remainder is 0.
         let zeros = significand.trailing_zeros() % u64::BITS;
         let integer = i64::from(sign) * (significand >> zeros) as i64;
         x.is_finite().then(|| Self::new(integer, i64::from(exponent) + i64::from(zeros)))
@@ -75,7 +75,7 @@ impl Dyadic {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
             let exponent = self.exponent + excess as i64;
-            // The magnitude is shifted, because shifting a negative number rounds down, not to 0.
+            // The magnitude is shifted, because a shift rounds negative numbers away from 0.
             let magnitude = BigInt::from(self.integer.magnitude() >> excess);
             let integer = if self.is_negative() { -magnitude } else { magnitude };
             (Self { integer, exponent }, exponent)
@@ -117,7 +117,7 @@ impl Dyadic {
 
 /// Writes both numbers with the smaller exponent, and combines their integers.
 fn aligned(a: &Dyadic, b: &Dyadic, combine: impl Fn(&BigInt, &BigInt) -> BigInt) -> Dyadic {
-    // A zero must not determine the common exponent.
+    // The exponent of a zero is arbitrary, and must not become the common exponent.
     if b.is_zero() {
         return a.clone();
     }

@@ -1,7 +1,7 @@
-//! Solves the equation of a step for x̃ by elimination in ball arithmetic.
+//! Solves the equation of a Kahan step for its result x̃ by elimination in ball arithmetic.
 //!
-//! A pivot is an entry whose ball excludes 0. If a nonzero column has no pivot, the result is
-//! unknown, and the caller tries the next of the [`precisions`].
+//! A pivot is an entry whose ball excludes 0. If a column has no pivot but is not exactly 0, the
+//! result is unknown, and the caller tries the next of the [`precisions`].
 
 use std::cmp::Ordering;
 use std::iter::successors;
@@ -51,7 +51,7 @@ impl Matrix {
         let mut sizes: Vec<i64> = self.rows.iter().map(|row| size(row).unwrap_or(0)).collect();
         let mut determinant = Ball::exactly(Dyadic::new(1, 0));
         for k in 0..n {
-            // Sizes of rows may differ widely, so pivots are compared relative to their rows.
+            // Rows may differ widely in size, so pivots are measured relative to their rows.
             let candidates = (k..n).filter(|&i| self.rows[i][k].is_not_zero());
             let part = |i: &usize| self.rows[*i][k].middle().binade().map(|binade| binade - sizes[*i]);
             let Some(pivot) = candidates.max_by_key(part) else {
@@ -149,7 +149,7 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let (most, size) = (largest(sums.iter().map(Ball::most)), largest(next.iter().map(Ball::least)));
     let (least, size_at_most) = (largest(sums.iter().map(Ball::least)), largest(next.iter().map(Ball::most)));
     let (above, below) = (&most * &size_at_most, &least * &size);
-    // A relative error of 2⁻²⁰ of the condition number is accepted.
+    // The condition number counts as known if its relative error is at most 2⁻²⁰.
     let is_known = !size.is_zero() && (&above - &below).scaled(20).compare(&below) != Ordering::Greater;
     is_known.then(|| most.ratio(&size))
 }

@@ -1,4 +1,4 @@
-//! Evaluates the defining equation A(x,ε)(x̃ − x) = 2εf(x) at a point, exactly.
+//! Evaluates A(x,ε)(x̃ − x) = 2εf(x), the equation of Kahan's step x̃ for a field f, exactly.
 //!
 //! Each row is multiplied by the denominator of its component of f. Polynomials are evaluated term
 //! by term, independently of the tested code.
@@ -142,7 +142,7 @@ impl AtPoint {
         (&self.rows[i].field * &self.eps).scaled(1)
     }
 
-    /// Returns ‖f′(x)‖∞, up to rounding.
+    /// Returns an approximation of ‖f′(x)‖∞.
     pub(crate) fn slope(&self) -> f64 {
         let sum = |row: &RowAtPoint| {
             row.slopes.iter().fold(Dyadic::zero(), |sum, (_, slope)| &sum + &slope.clone().abs())

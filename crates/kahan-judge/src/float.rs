@@ -9,7 +9,7 @@ use super::dyadic::Dyadic;
 pub(crate) struct Format {
     /// The number p of bits of precision. Error bounds are multiples of u = 2^−p.
     pub(crate) precision: i64,
-    /// The exponent e such that 2^e is the least number with full precision.
+    /// The least e such that all finite numbers x with |x| ≥ 2^e have full precision.
     pub(crate) least_binade: i64,
     /// The exponent e such that all finite numbers are below 2^(e+1).
     pub(crate) greatest_binade: i64,
@@ -19,7 +19,7 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     const NAME: &'static str;
     /// The name of the method `step` in tables: `fast` or `accurate`.
     const STEP_TIER: &'static str;
-    /// The name of the step that computes in a wider format and rounds once, if there is one.
+    /// The name of the method, if any, that computes the step in a wider format and rounds it once.
     const WIDER_TIER: Option<&'static str> = None;
     const FORMAT: Format;
     /// The greatest number of bits in the significand of a random number.
@@ -28,8 +28,8 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     const EPS_BINADES: i64;
     /// Random ‖x‖ lie between 2^−STATE_BINADES and 2^STATE_BINADES.
     const STATE_BINADES: i64;
-    /// If the condition number of a step is below this, `try_step` must not refuse the step.
-    /// `None` if it may refuse every step.
+    /// A step whose condition number is below this must be accepted by `try_step`. `None` means
+    /// that `try_step` may refuse any step.
     const FLAG_CONDITION: Option<f64>;
 
     fn of(value: f64) -> Self;

@@ -1,8 +1,8 @@
 //! Tests single steps near the limits of float formats by exact arithmetic.
 //!
-//! [`Extremes`] takes systems, a number of trials and a seed. [`Judged`] holds the largest error,
-//! the number of trials without a result, and the number of wrong results without a warning.
-//! A trial depends only on the seed and its index, not on threads.
+//! [`Extremes`] contains the settings. [`Judged`] contains, for each kind of step such as
+//! `try_step`, the largest error, and the numbers of reported failures and of unreported wrong
+//! results. A trial depends only on the seed and its index, not on threads.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -48,8 +48,8 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
 /// are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials for each scalar type, without the additional trials with large steps or
-    /// with subnormal, infinite or NaN inputs.
+    /// The number of trials for each scalar type. Additional trials have large steps, or subnormal,
+    /// infinite or NaN inputs.
     pub trials: u64,
     /// The number of random fields. The trials are divided among them and the systems.
     pub random_fields: usize,
@@ -83,7 +83,7 @@ pub struct Judged {
     pub trials: u64,
     /// The seed of points and fields.
     pub seed: u64,
-    /// The duration of the survey in seconds; `None` without a clock.
+    /// The duration of the survey in seconds; `None` on platforms without a clock.
     pub seconds: Option<f64>,
     /// The counts for each regime, kind of step and scalar type.
     #[serde(flatten)]

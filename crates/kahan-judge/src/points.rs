@@ -1,4 +1,4 @@
-//! Seeded random points. Each trial draws its own point from its index, on any thread.
+//! Seeded random points. Each point depends on the seed and the index of its trial only.
 //!
 //! Logarithms of numbers are uniformly distributed. A quarter of the significands have few bits, so
 //! that exact poles occur.
@@ -16,7 +16,7 @@ pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The regime of the point. If a wanted pole is not found, it is `MixedMagnitudes`.
+    /// The regime of the point: `MixedMagnitudes` if a pole should be near, but none was found.
     pub(crate) regime: Regime,
 }
 
@@ -141,7 +141,7 @@ impl<T: Float> InputSampler<'_, T> {
         self.mixed()
     }
 
-    /// Draws an ordinary point, and replaces one or two of its numbers by results of `value`.
+    /// Draws an ordinary point, of which `value` draws one or two numbers anew.
     fn inputs_in_regime(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
         let (n, epsilon) = (self.judge.equation().dimension(), self.judge.equation().epsilon());
@@ -155,7 +155,6 @@ impl<T: Float> InputSampler<'_, T> {
         inputs
     }
 
-    /// Draws floats with the given exponents of 2. One state in sixteen is 0.
     fn draw_inputs(&mut self, regime: Regime, sizes: &[i64], eps: i64) -> Inputs<T> {
         let state = |points: &mut Self, binade: i64| {
             let binade = binade.clamp(-T::STATE_BINADES, T::STATE_BINADES);
@@ -182,7 +181,7 @@ impl<T: Float> InputSampler<'_, T> {
         fixed.iter().map(parameter).collect()
     }
 
-    /// Draws parameters of any size, of ordinary size, or near the previous parameter.
+    /// Draws parameters: of any size, of ordinary size, or close to the parameter drawn before.
     fn odd_parameters(&mut self) -> Vec<T> {
         let mut drawn: Vec<T> = Vec::new();
         for given in self.fixed {

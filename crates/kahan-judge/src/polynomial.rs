@@ -69,7 +69,7 @@ pub(crate) struct Univariate {
 }
 
 impl Univariate {
-    /// Returns the polynomial as a polynomial in one variable, for each variable in it.
+    /// For each variable, returns the polynomial as a polynomial in this variable alone.
     pub(crate) fn all(polynomial: &Polynomial, scale: &BigInt) -> Vec<Self> {
         let of = |variable: Variable| {
             let parts = polynomial.coefficients_in(variable);

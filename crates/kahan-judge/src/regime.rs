@@ -9,7 +9,7 @@ pub enum Regime {
     NearRemovablePole,
     /// The sizes of the components and of ε are from the whole range of the format.
     MixedMagnitudes,
-    /// The components are below 4, and ε is below 1.
+    /// All components have absolute values below 4, and |ε| is below 1.
     Ordinary,
     /// The point is ordinary except for subnormal components, ε or parameters.
     Subnormal,

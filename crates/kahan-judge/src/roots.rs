@@ -9,9 +9,9 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 
-/// Returns a random root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits, or
-/// `None` without a change of sign. The search compares signs near points where two terms have
-/// equal sizes.
+/// Returns a random root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits. The
+/// search compares signs near points v at which two terms have equal absolute values. Returns
+/// `None` if the sign never changes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balanced_exponents(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
@@ -89,7 +89,6 @@ mod tests {
         assert!(root(&[Dyadic::new(1, 0)], 60, &mut random).is_none());
     }
 
-    /// Evaluates (v − 3)² − 5·2^(−power) near v = 3, where the leading bits of terms cancel.
     #[test]
     fn leading_bits_tell_no_wrong_sign() {
         let (mut told, mut silent) = (0, 0);
@@ -98,7 +97,7 @@ mod tests {
                 let v = &Dyadic::new(3, 0) + &Dyadic::new(offset, -power / 2);
                 let lowered = &Dyadic::new(9, 0) - &Dyadic::new(5, -power);
                 let coefficients = [lowered, Dyadic::new(-6, 0), Dyadic::new(1, 0)];
-                // By the choice of v, (v − 3)² = 2^(−2·⌊power/2⌋) < 5·2^(−power).
+                // The polynomial (v − 3)² − 5·2^(−power) is negative at v = 3 ± 2^(−⌊power/2⌋).
                 assert_eq!(sign(&coefficients, &v), Ordering::Less);
                 match sign_of_leading_bits(&coefficients, &v) {
                     Some(sign) => told += usize::from(sign == Ordering::Less),

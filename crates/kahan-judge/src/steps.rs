@@ -1,7 +1,7 @@
 //! The steps that are tested, run operation by operation from the formulas of a system.
 //!
-//! Every step equals that of generated code bit for bit. Dimensions are padded to four or eight
-//! with constant states, since compiling all eight dimensions takes four times as long.
+//! Every step equals that of generated code bit for bit. Constant states extend fields to four or
+//! eight variables, because compiling for all eight dimensions takes four times as long.
 
 use std::fmt::Debug;
 

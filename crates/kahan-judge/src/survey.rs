@@ -60,14 +60,14 @@ impl TestedMap {
         Self::new(name, &system, parameters).expect("the generator writes fields that can be run")
     }
 
-    /// Makes trials draw parameters from the whole range of floats.
+    /// Lets trials draw the parameters of the system from the whole range of floats.
     pub(crate) fn of_odd_temper(mut self) -> Self {
         self.target.is_odd = true;
         self
     }
 }
 
-/// Returns the given value, or for parameter k one at which denominators are unlikely to be 0.
+/// Returns the given value of parameter k, or one at which denominators are unlikely to be 0.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),
@@ -75,10 +75,10 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     }
 }
 
-/// Runs `trials` trials each of `f32`, `f64` and `Dd`, cycling through the systems.
+/// Runs `trials` trials for each of `f32`, `f64` and `Dd`, cycling through the systems.
 ///
-/// Four equal parts of the trials are near poles, near removable poles, of mixed magnitudes, and
-/// ordinary. Further trials have subnormal inputs, nonfinite inputs or large steps.
+/// Equally many points are near poles, near removable poles, of mixed magnitudes, and ordinary.
+/// Further trials have subnormal inputs, nonfinite inputs or large steps.
 pub(crate) fn survey(tried: &[TestedMap], trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     on_threads(tried, trials, seed, count.threads(), count)
 }

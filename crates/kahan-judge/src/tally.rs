@@ -1,4 +1,4 @@
-//! Counts of trials for each regime, kind of step and scalar.
+//! Counts trials for each regime, scalar type, and kind of step such as `fast` or `try_step`.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;

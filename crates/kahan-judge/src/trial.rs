@@ -149,8 +149,8 @@ impl<'a, T: Float> Trials<'a, T> {
 }
 
 impl<T: Float> Trial<'_, T> {
-    /// Counts the result of a step that has no error bound. A finite result is wrong if its error
-    /// exceeds 1e-3, or if the exact step is undefined.
+    /// Counts the result of a step other than `try_step`, for which no error bound is promised. A
+    /// finite result is wrong if its error exceeds 1e-3, or if the exact step is undefined.
     fn count_plain(&self, cell: &mut Cell, next: &[T]) {
         cell.trials += 1;
         match (exact_values(next), &self.known) {
@@ -209,8 +209,8 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Returns the condition number if `try_step` must not refuse: the field is defined, the format
-    /// holds x̃, and the condition number is below the scalar's bound.
+    /// Returns the condition number if it is below the scalar's bound, the field is defined, and
+    /// the format holds x̃. In this case, `try_step` must not refuse.
     fn forbidden_flag(&self) -> Option<f64> {
         let (ExactTrial { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;

@@ -1,7 +1,7 @@
 //! Breaks long LaTeX formulas into lines.
 //!
-//! Sums break before signs, and products between factors. Fractions and parentheses break inside,
-//! in an `aligned` environment of their own. Widths are estimated in characters.
+//! Sums break before signs, and products between factors. Wide fractions and parentheses break
+//! inside, where they contain `aligned` environments. Widths are estimated in characters.
 
 mod pieces;
 #[cfg(test)]
@@ -100,8 +100,8 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
 
 const LEAST_WIDTH: usize = 16;
 
-/// Distributes a width over columns. Wide columns get equal parts of the width that narrow columns
-/// leave.
+/// Distributes a width over columns. Narrow columns keep their width, and wide columns share the
+/// rest equally.
 fn column_shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
     // Every pass but the last decreases `share`, so the loop ends.

@@ -1,7 +1,7 @@
 //! LaTeX for the objects of `kahan-algebra`.
 //!
 //! Names, numbers, polynomials and expressions become displayed formulas, or lines that fit a page
-//! ([`breaking`]). The crate does not know where formulas are shown.
+//! ([`breaking`]).
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

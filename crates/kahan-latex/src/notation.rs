@@ -76,9 +76,9 @@ impl Notation for Latex {
         format!("\\frac{{{above}}}{{{below}}}")
     }
 
-    /// Writes a quotient with integer coefficients and its sign in front: (½ x y)/a is xy/(2a).
+    /// Writes a quotient with integer coefficients, after its sign: (½ x y)/a becomes xy/(2a).
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
-        // Contents are made positive, because a negative one changes the signs in the denominator.
+        // Dividing by a negative content would change signs of terms, so absolute values are used.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else {
             return self.polynomial(symbols, above);

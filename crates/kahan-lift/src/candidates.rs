@@ -34,15 +34,15 @@ pub(crate) struct SearchEffort {
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states. The variable for the work done by the forces
-    /// in an energy lift has no formula in the states, and is 0 here.
+    /// The new variables as functions of the states. In an energy lift, the work done by the forces
+    /// is not such a function, and the entry of its variable is 0.
     pub(crate) new: Vec<Laurent>,
     /// Alternative quadratic fields, with the preferred field first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
     /// Polynomials in the variables that vanish for the values of the functions.
     pub(crate) relations: Vec<Quadratic>,
     pub(crate) is_optimal: bool,
-    /// The energy of the flow. The map preserves a modified energy.
+    /// The energy that the flow preserves. Kahan's map of the lift preserves a modified energy.
     pub(crate) energy: Option<Quadratic>,
 }
 
@@ -94,8 +94,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
         let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
-    // If frequent sums of terms may be variables, small lifts are found. Their size limits the
-    // search in which only monomials may be variables.
+    // The first search also allows sums of terms as variables, and finds small lifts. Their size
+    // limits the second search, which allows only monomials.
     let grouped =
         equations.ring.with_frequent_sums().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
@@ -107,7 +107,7 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
 
 /// Returns energy lifts in which the nonlinear terms of forces are variables. With `as_sums`, one
 /// variable stands for the sum of all nonlinear terms of a force. Otherwise each monomial is a
-/// variable. `least` is the size of a known lift.
+/// variable. `least` is the number of new variables of a known lift.
 fn energy_lifts(
     equations: &Equations,
     ring: &Rc<Ring>,
@@ -148,7 +148,7 @@ fn energy_lifts(
     let least = found.sets[0].len();
     let lift = |set: &Vec<Laurent>| {
         let mut new = [&forces[..], set].concat();
-        // A sum that is affine in the other variables is omitted.
+        // A sum of terms that is affine in the other variables needs no variable of its own.
         let mut index = 0;
         while index < new.len() {
             let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
@@ -166,7 +166,7 @@ fn energy_lifts(
     of_size(least).chain(of_size(least + 1)).chain(&founded).filter_map(lift).collect()
 }
 
-/// Adds a variable for the potential if needed, and prescribes the equations that preserve the
+/// Adds a variable for the potential if needed. Chooses equations with which the map preserves the
 /// energy.
 fn with_potential(
     ring: &Rc<Ring>,

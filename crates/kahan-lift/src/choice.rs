@@ -16,7 +16,7 @@ use crate::stability::{ErrorGrowth, Orbit};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LiftCriterion {
     /// The first lift of this list that exists: an energy lift, a lift whose relations the map
-    /// preserves, a lift whose relation errors do not grow, the smallest lift.
+    /// preserves, a lift in which errors of relations do not grow, the smallest lift.
     #[default]
     Automatic,
     /// An energy lift of a mechanical system.
@@ -58,7 +58,7 @@ impl LiftCriterion {
     }
 }
 
-/// At most this many quadratic fields are evaluated.
+/// At most this many quadratic fields are compared.
 const MOST_FOLLOWED: usize = 32;
 
 /// A candidate with one of its quadratic fields, and the relations that the map preserves.
@@ -77,7 +77,7 @@ pub(crate) fn choose<'a>(
     orbit: Option<&Orbit>,
 ) -> Option<(RatedCandidate<'a>, String)> {
     let mut judged: Vec<RatedCandidate<'_>> = Vec::new();
-    // The preferred fields of all candidates come first. Fields beyond the limit are dropped.
+    // The preferred fields of all candidates come before the alternative fields.
     let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
     for place in 0..most {
         for candidate in candidates {
@@ -198,8 +198,8 @@ impl<'a> RatedCandidate<'a> {
 
     /// Returns fields with damping, which makes errors decay.
     ///
-    /// For a relation R that is linear in a new variable w, the derivative of w is reduced by κ R.
-    /// The factor κ exceeds the growth rate of errors.
+    /// For a relation R that is linear in a new variable w, κR is subtracted from w′. The factor κ
+    /// exceeds the growth rate of errors.
     fn with_damping(&self, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));

@@ -1,8 +1,8 @@
 //! Recognises mechanical systems x′ = A p, p′ = G(x) with positions x, momenta p and a potential.
 //!
 //! Let S be a constant symmetric matrix and V a function with ∇V = −A⁻ᵀ S G. Then ½ pᵀSp + V is an
-//! integral. If G is affine in the variables of a lift and W′ = −pᵀS G for a variable W, Kahan's
-//! map preserves
+//! integral. In a lift, let G be affine in the variables, and let one variable W have W′ = −pᵀS G.
+//! Then Kahan's map preserves
 //!
 //!   ½ pᵀSp + W − ε² GᵀSG/2
 
@@ -63,7 +63,7 @@ type Matrix = Vec<Vec<RationalFunction>>;
 fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     let n = matrix.len();
     let rows = |i: usize| {
-        // A row b of A⁻ᵀ solves A b = e for a unit vector e, so (A | −e) maps (b, 1) to 0.
+        // Row i of A⁻ᵀ is the b with A b = eᵢ, so the matrix (A | −eᵢ) maps (b, 1) to 0.
         let unit = |k: usize| if k == i { -&RationalFunction::one() } else { RationalFunction::zero() };
         let rows = matrix.iter().enumerate().map(|(k, row)| [&row[..], &[unit(k)]].concat()).collect();
         let mut solutions = null_space(rows, n + 1);
@@ -156,7 +156,7 @@ fn kinetic_energy(
     let diagonal: Vec<(usize, usize)> = (0..n).map(|i| (i, i)).collect();
     let symmetric: Vec<(usize, usize)> = (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect();
     for (shape, is_own) in [(&symmetric, true), (&diagonal, false), (&symmetric, false)] {
-        // For B = A⁻ᵀ, entries of S satisfy Σ B_ij s_jk ∂G_k/∂x_l = Σ B_lj s_jk ∂G_k/∂x_i.
+        // Since −A⁻ᵀSG is a gradient, Σ_jk B_ij S_jk ∂G_k/∂x_l with B = A⁻ᵀ is symmetric in i, l.
         let mut rows: Matrix = Vec::new();
         for i in 0..n {
             for l in i + 1..n {
@@ -251,7 +251,7 @@ fn antiderivative(
     Some(potential)
 }
 
-/// Returns monomials whose derivative with respect to a position may contain `monomial`.
+/// Returns the monomials m such that the derivative of m by `position` may contain `monomial`.
 fn integrals(ring: &Ring, monomial: &Monomial, position: usize) -> Vec<Monomial> {
     let x = Monomial::power(position, 1);
     let mut integrals = vec![monomial.times(&x), monomial.clone()];

@@ -1,4 +1,4 @@
-//! The equations of a lifted block, checked and written as Laurent polynomials.
+//! The equations of a block that is to be lifted, checked and written as Laurent polynomials.
 
 use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_algebra::parse::parse_lifted;
@@ -53,7 +53,7 @@ impl Equations {
             (0..self.stated.states.len()).map(|state| Monomial::power(state, 1)).collect();
         let required: Vec<Monomial> =
             ring.field.iter().flat_map(Laurent::terms).map(|(one, _)| one.clone()).collect();
-        // Negative powers occur in equations and in derivatives such as (log u)′ = u′/u.
+        // The slopes of coordinates contain negative powers too, such as 1/u in (log u)′ = u′/u.
         let slopes = ring.coordinates.iter().flat_map(|one| one.slope.terms()).map(|(one, _)| one);
         let negative = required
             .iter()

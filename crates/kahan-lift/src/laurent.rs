@@ -140,7 +140,7 @@ impl Laurent {
         (*coefficient == RationalFunction::one()).then_some(monomial)
     }
 
-    /// Returns the term with the largest monomial. The size of monomials is compared first.
+    /// Returns the term whose monomial has the largest size; among equal sizes, the last in order.
     pub(crate) fn leading_term(&self) -> Option<(&Monomial, &RationalFunction)> {
         self.terms().max_by_key(|&(monomial, _)| (monomial.size(), monomial))
     }
@@ -193,8 +193,8 @@ impl Laurent {
         self.0.keys().skip(1).fold(first, least)
     }
 
-    /// Writes the polynomial as ρ·p with a rational number ρ, and returns both. The numerators of p
-    /// have integer coefficients without a common factor, the first of which is positive.
+    /// Returns ρ and p with `self` = ρ·p. The number ρ is rational. All numerators in p have
+    /// integer coefficients without a common factor; the first leading coefficient is positive.
     pub(crate) fn primitive(&self) -> (Rational, Self) {
         let contents = self.0.values().map(|value| value.numerator().content().abs());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);

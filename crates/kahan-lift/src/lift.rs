@@ -72,13 +72,13 @@ pub struct Relation {
     pub along: Option<RelationBehaviour>,
     /// The modified function that the map preserves exactly.
     pub formula: Option<String>,
-    /// The growth rate of errors per unit of time, the largest of all relations of the lift.
+    /// The growth rate of errors per unit of time: the largest rate of all relations of the lift.
     pub rate: Option<f64>,
     /// The index of the new variable that the relation defines.
     pub defines: Option<usize>,
 }
 
-/// A quadratic field that is equivalent to the original equations. Each new variable must start at
+/// A quadratic field that is equivalent to the original equations, if each new variable starts at
 /// the value of its expression.
 #[derive(Clone, Debug)]
 pub struct Lift {
@@ -95,7 +95,7 @@ pub struct Lift {
     /// The quadratic field in the states and the new variables.
     pub field: Field,
     /// Whether a complete search proved that no lift has fewer new variables. The search covers
-    /// lifts that write each monomial of the field as a product of two variables.
+    /// lifts that write each monomial of the field as a product of at most two variables.
     pub is_optimal: bool,
     /// The reason why this lift was chosen.
     pub chosen: String,

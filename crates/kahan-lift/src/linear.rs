@@ -2,8 +2,8 @@
 
 use kahan_algebra::rational_function::RationalFunction;
 
-/// Returns a basis of the null vectors of a matrix. In each vector, one entry without a pivot is 1,
-/// and the other entries without a pivot are 0.
+/// Returns a basis of the null space of a matrix. In each basis vector, one free variable is 1, and
+/// the other free variables are 0.
 pub(crate) fn null_space(mut rows: Vec<Vec<RationalFunction>>, columns: usize) -> Vec<Vec<RationalFunction>> {
     let mut pivots: Vec<usize> = Vec::new();
     for column in 0..columns {

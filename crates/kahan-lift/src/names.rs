@@ -31,7 +31,7 @@ impl<'a> Writer<'a> {
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// Writes a term. Negative powers become a denominator, and all exponentials become one.
+    /// Writes a term. Negative powers make a denominator; products of exponentials are merged.
     fn term(&self, monomial: &Monomial, coefficient: &RationalFunction, notation: &dyn Notation) -> String {
         let mut above = self.factors(coefficient.numerator(), notation);
         let mut below = self.factors(coefficient.denominator(), notation);
@@ -58,7 +58,7 @@ impl<'a> Writer<'a> {
         notation.quotient(&side(&above), &side(&below))
     }
 
-    /// Splits a monomial into exp u and a rest. Returns u and the powers of the rest.
+    /// Writes a monomial as exp(u) times a product of powers. Returns u and these powers.
     fn split_exponentials(&self, monomial: &Monomial) -> (Laurent, Vec<(usize, i16)>) {
         let mut sum = Laurent::zero();
         let mut rest = Vec::new();

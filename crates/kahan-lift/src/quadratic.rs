@@ -79,8 +79,8 @@ impl<'a> Products<'a> {
         products
     }
 
-    /// If a product contains only one unknown monomial, solves it for this monomial. Repeats this
-    /// until nothing changes. Products without unknown monomials are relations.
+    /// If the value of a product contains only one unknown monomial, solves for this monomial.
+    /// Repeats this until nothing changes. Products without unknown monomials are relations.
     fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();
@@ -144,8 +144,8 @@ impl<'a> Products<'a> {
         let mut ways = vec![Quadratic::default()];
         for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
             let mut pairs = self.direct.get(monomial).cloned().unwrap_or_default();
-            // A term −c·v in the equation of v is preferred, because it damps errors. Then states
-            // are preferred.
+            // A term −c·v in the equation of v is preferred, because it damps errors. Otherwise,
+            // products with fewer new variables are preferred.
             let is_negative = coefficient.numerator().leading_term().is_some_and(|(_, c)| c.is_negative());
             let new = |pair: &Monomial| {
                 pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()

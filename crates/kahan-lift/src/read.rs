@@ -1,8 +1,8 @@
 //! Parses expressions into Laurent polynomials in coordinates.
 //!
 //! Functions become coordinates. If arguments of a function are rational multiples of each other,
-//! one coordinate has their greatest common divisor as argument. Passes over the equations are
-//! repeated until no divisor changes.
+//! they are integer multiples of one argument, that of the coordinate. The equations are read
+//! repeatedly until no such argument changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
@@ -33,7 +33,7 @@ pub(crate) struct Reader {
     units: Vec<(FunctionFamily, Laurent, Rational)>,
 }
 
-/// Kinds of functions whose values at integer multiples of u are polynomials in those at u.
+/// For an integer n, the functions of one kind at n·u are polynomials in those at u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FunctionFamily {
     Exponential,
@@ -82,8 +82,8 @@ impl Reader {
         self.expr_with_sign(expr, 1)
     }
 
-    /// Reads an expression or its inverse. Factors of products are inverted one by one, so 1/P² and
-    /// 1/P³ are powers of one coordinate 1/P.
+    /// Reads an expression if `sign` is 1, or its reciprocal if `sign` is −1. Factors of products
+    /// are inverted one by one, so 1/P² and 1/P³ are powers of one coordinate 1/P.
     fn expr_with_sign(&mut self, expr: &Expr<FormulaSyntax>, sign: i64) -> ReadResult<Laurent> {
         let value = match &expr.kind {
             ExprKind::Product(factors) => {
@@ -315,7 +315,7 @@ impl Reader {
             "cos" => self.circular(FunctionFamily::Circular, argument, span).map(|[_, cosine]| cosine),
             "sinh" => self.circular(FunctionFamily::Hyperbolic, argument, span).map(|[sine, _]| sine),
             "cosh" => self.circular(FunctionFamily::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
-            // Since tan′ = 1 + tan² and tanh′ = 1 − tanh², one variable is enough.
+            // Since tan′ = 1 + tan² and tanh′ = 1 − tanh², other functions are not needed.
             "tan" => Ok(self.tangent(Function::Tan, argument, 1)),
             "tanh" => Ok(self.tangent(Function::Tanh, argument, -1)),
             "sqrt" => self.power(argument, &Rational::new(1, 2), span),
@@ -400,7 +400,7 @@ impl Reader {
         let (multiple, primitive) = argument.primitive();
         let unit = self.common_unit(family, &primitive, &multiple);
         let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
-        // The rules are cos′ = sign·sin, sin² = 1 − cos² and cosh² = 1 + sinh².
+        // Here cos′ = −sin and cosh′ = sinh. Rules replace sin² by 1 − cos², cosh² by 1 + sinh².
         let (functions, sign) = match family {
             FunctionFamily::Circular => ([Function::Sin, Function::Cos], -1),
             _ => ([Function::Sinh, Function::Cosh], 1),

@@ -24,8 +24,8 @@ impl Reembedding {
     /// Advances `states` by one step. Returns whether the iteration converged. Without convergence,
     /// the states do not change.
     ///
-    /// The function `step` replaces all variables by their image, and `embed` returns the new
-    /// variables at given states. The iteration usually calls `step` 2 to 16 times.
+    /// The closure `step` replaces all variables by their images under the lifted map, and `embed`
+    /// returns the new variables at given states. The iteration usually calls `step` 2 to 16 times.
     pub fn step(
         &mut self,
         states: &mut [f64],

@@ -78,7 +78,7 @@ pub(crate) enum CoordinateDefinition {
     State(usize),
     /// An elementary function of a polynomial in coordinates.
     Function(Function, Laurent),
-    /// The root of a polynomial with this index. Index 1 means the polynomial itself.
+    /// The n-th root of a polynomial, where n = 1 means the polynomial itself.
     Root(Laurent, i16),
     /// A power of a polynomial with an exponent that depends on parameters.
     Power(Laurent, RationalFunction),
@@ -102,7 +102,7 @@ impl CoordinateDefinition {
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate {
     pub meaning: CoordinateDefinition,
-    /// The derivative of the function with respect to its argument. The slope of a state is 1.
+    /// The derivative of the function with respect to its argument; 1 for a state.
     pub slope: Laurent,
 }
 
@@ -111,9 +111,8 @@ pub(crate) struct Coordinate {
 enum RewriteRule {
     /// The monomial is replaced by the polynomial.
     Replace(Monomial, Laurent),
-    /// The coordinate b is a root: b^index = `base`. Products contain powers of b below `index`
-    /// only. In products with negative powers of b, the monomial `leading` of `base` is replaced by
-    /// `instead`.
+    /// The coordinate b is a root with b^index = `base`. Exponents of b are kept below `index`. If
+    /// one is negative, `instead` replaces the monomial `leading` of `base`.
     Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
 }
 
@@ -195,8 +194,8 @@ impl Ring {
     /// Returns the ring with frequent sums as further coordinates. Returns `None` if no sum is
     /// frequent.
     ///
-    /// The frequent sums are the polynomial factors of P′, P″ and P‴ for bases P of roots. Kepler's
-    /// problem then becomes a problem in r, x·p and p·p.
+    /// The frequent sums are the polynomial factors of the time derivatives P′, P″ and P‴ of
+    /// polynomials P under roots. With them, r, x·p and p·p describe Kepler's problem.
     pub(crate) fn with_frequent_sums(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());

@@ -1,9 +1,9 @@
 //! Searches for a smallest set of monomials that makes the equations quadratic.
 //!
-//! A set of variables is closed if each monomial in their derivatives is 1, a variable, or a
-//! product of two variables, or follows from such products by a relation. Iterative deepening
-//! branches over the ways to write one missing monomial. After too many branches, local changes
-//! improve a greedy solution. The search reads no clock, so results are reproducible.
+//! A set of variables is closed if each monomial in their derivatives is 1, a variable, a product
+//! of two variables, or by relations a combination of such products. Iterative deepening branches
+//! over the ways to write one missing monomial. After too many branches, local changes improve a
+//! greedy solution. The search reads no clock, so results are reproducible.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -47,7 +47,7 @@ const LOCAL_CHANGES: usize = 40;
 #[derive(Clone, Debug, Default)]
 struct MonomialCover {
     covered: FxHashSet<MonomialId>,
-    /// Products of variables that have several monomials which are not yet covered.
+    /// Products of two variables that contain several monomials not yet covered.
     composite: Vec<Rc<[MonomialId]>>,
 }
 
@@ -102,7 +102,7 @@ pub(crate) fn search(
 ) -> Option<VariableSets> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy_set(most);
-    // If the greedy search exceeds the limit `most`, a full search rarely succeeds.
+    // If the greedy search finds no set within the limit `most`, a full search rarely succeeds.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }
@@ -286,7 +286,7 @@ impl<'a> Search<'a> {
             && monomial.powers().all(|(coordinate, exponent)| exponent > 0 || negative.contains(&coordinate))
     }
 
-    /// Returns monomials each of which, as a new variable, makes `target` a product of variables.
+    /// Returns the monomials m for which `target` is m, m², or the product of m and a variable.
     fn single_factors(&mut self, target: MonomialId, new: &[MonomialId]) -> Vec<MonomialId> {
         let monomial = self.table.monomial(target).clone();
         let variables: Vec<MonomialId> = self.given.iter().chain(new).copied().collect();
@@ -381,7 +381,7 @@ impl<'a> Search<'a> {
         Some(self.without_unnecessary(closed))
     }
 
-    /// Removes single variables as long as the `closure` of the others is smaller than `best`.
+    /// Replaces the set by the `closure` of all variables but one while this makes it smaller.
     fn without_unnecessary(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
         let mut at = 0;
         while at < best.len() {

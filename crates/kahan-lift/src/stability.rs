@@ -1,11 +1,11 @@
 //! Computes the growth of errors of a lift's relations along an orbit.
 //!
-//! For states x, new variables w = g(x) and a lifted field F, let r = w − g(x) be the error. Along
-//! the orbit, r′ = Λ r + … with
+//! For states x, new variables w = g(x) and a lifted field with x′ = F(x,w) and w′ = G(x,w), let r
+//! = w − g(x) be the error. Along the orbit, small errors satisfy r′ = Λ r with
 //!
-//!   Λ = ∂F_w/∂w − Dg · ∂F_x/∂w
+//!   Λ = ∂G/∂w − g′(x) · ∂F/∂w
 //!
-//! A lift is usable if the solutions of r′ = Λ r stay bounded.
+//! A lift is usable if these errors stay bounded.
 
 use crate::embedding::Builder;
 use crate::energy::slopes;
@@ -110,7 +110,7 @@ impl Orbit {
         if count == 0 {
             return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // The list has ∂(new variables)/∂(states), then ∂(equations)/∂(new variables).
+        // Derivatives of `new` by states come first, then those of equations by new variables.
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {
@@ -152,8 +152,8 @@ impl Orbit {
                     row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
             }
-            // For the matrix Λ = `lambda` and a step h of h/s substeps of length s, exp(hΛ) is
-            // about (1 + sΛ + (sΛ)²/2)^(h/s). Usually s‖Λ‖ is at most 1/2.
+            // With Λ = `lambda`, a step h is divided into substeps s, usually such that s‖Λ‖ ≤ 1/2.
+            // Then exp(hΛ) is about (1 + sΛ + (sΛ)²/2)^(h/s).
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;

@@ -35,7 +35,7 @@ pub(super) enum ProofMethod {
         index: usize,
     },
     Formula {
-        /// Definitions that the statement uses and other claims establish.
+        /// Definitions that the statement uses. Other claims prove them.
         given: String,
         /// Intervals from which numerical tests draw values of names, as (name, low, high).
         domain: Vec<(String, Rational, Rational)>,

@@ -32,7 +32,7 @@ pub(super) enum EvaluationError {
 
 pub(super) type Models = BTreeMap<&'static str, Model>;
 
-/// The values of names, and the next and previous point of the map.
+/// The values of names at a point, and the next and the previous point under the map.
 pub(super) struct Environment<V> {
     values: BTreeMap<String, V>,
     next: OnceCell<Result<Vec<V>, EvaluationError>>,
@@ -220,7 +220,7 @@ impl<A: Calculus> Evaluator<'_, A> {
     }
 }
 
-/// Returns whether a call with this name refers to a system's field or map.
+/// Returns whether a call with this name depends on the field or the map of a system.
 fn is_of_the_map(name: &str) -> bool {
     matches!(name, "next" | "back" | "on" | "f" | "b" | "A" | "J" | "Df" | "detA" | "detJ")
 }

@@ -1,4 +1,4 @@
-//! The exact orbits of the paper's figures, and measurements of the heights along them.
+//! The exact orbits of the paper's figures, and the heights of their points.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;

@@ -21,8 +21,9 @@ pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
 /// Computes the limit C₁ for dE7; `None` if a and b below have different denominators.
 ///
 /// Let a = τ + 1 − ξ/2 and b = τ + ξ/2 have the common denominator M. Let a_r in (0, 1] be the
-/// multiple of 1/M with r·M·a_r ≡ M·a modulo M, and let b_r be defined likewise. Then C₁ is the
-/// mean of max(0, ψ(b_r) − ψ(a_r)) over residues r coprime to M (prime number theorem for each r).
+/// multiple of 1/M with r·M·a_r ≡ M·a modulo M, and let b_r be defined likewise. By the prime
+/// number theorem for arithmetic progressions, C₁ is the mean of max(0, ψ(b_r) − ψ(a_r)) over the
+/// residues r coprime to M.
 fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);

@@ -1,7 +1,8 @@
 //! The paper's formulas as claims, which are established by proof or by measurement.
 //!
 //! [`Paper`] lists all [`Claim`]s, and establishes each by expansion over ℚ or modulo primes, at
-//! exact points, in 256-bit arithmetic, or as a misprint. [`Verdicts`] are the results as text.
+//! exact points, in 256-bit arithmetic, or by refuting a misprint. [`Verdicts`] are the results as
+//! text.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

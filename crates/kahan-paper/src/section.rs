@@ -46,7 +46,7 @@ impl Section {
         Section::Beyond,
     ];
 
-    /// Returns where the paper has the section, in one or two words.
+    /// Returns the place of the section in the paper, in one or two words.
     #[must_use]
     pub fn place(self) -> &'static str {
         self.words().0

@@ -18,9 +18,9 @@ pub struct Verdict {
     pub outcome: Outcome,
     /// The evidence, or the reason of a failure. For a misprint, also the printed form.
     pub detail: String,
-    /// The time of the check in seconds; `None` without a clock.
+    /// The duration of the check in seconds; `None` on platforms without a clock.
     pub seconds: Option<f64>,
-    /// The claim, for claims of the paper.
+    /// The claim of the paper; `None` if the statement is not from the paper.
     pub claim: Option<Claim>,
 }
 
@@ -42,7 +42,7 @@ pub struct Verdicts {
     pub failed: usize,
     /// The open questions, if the whole paper was asked for.
     pub open: &'static [OpenQuestion],
-    /// The total time in seconds; `None` without a clock.
+    /// The total time in seconds; `None` on platforms without a clock.
     pub seconds: Option<f64>,
 }
 

@@ -38,7 +38,7 @@ pub trait Arithmetic {
     }
     /// Returns whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Returns whether a is the better pivot. By default, any nonzero value is better than zero.
+    /// Returns whether a is better than `than` as a pivot. By default, nonzero is better than zero.
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }

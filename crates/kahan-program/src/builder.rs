@@ -76,7 +76,7 @@ where
         self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
-    /// Returns the node of −a, like [`negate`](Self::negate) but without turning x − y into y − x.
+    /// Returns the node of −a. Unlike [`negate`](Self::negate), keeps −(x − y) as a negation.
     pub fn changed_sign(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,
@@ -198,8 +198,8 @@ where
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }
 
-    /// Combines a and b without their minus signs, and negates the result if only one of them had a
-    /// minus sign. Returns `None` if neither has one.
+    /// Calls `join` with a and b without their minus signs, and negates the result if exactly one
+    /// had a minus sign. Returns `None` if neither has one.
     fn with_sign_outside(
         &mut self,
         a: Node,

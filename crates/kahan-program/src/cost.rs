@@ -1,7 +1,8 @@
 //! Computes the cost of a program: operation counts and critical path.
 //!
-//! Latencies are those of x86-64 cores of the last ten years, in cycles. A multiply-add is ready
-//! one cycle later than an addition, so [`Program::fused`] does not always fuse.
+//! Latencies are those of x86-64 cores of the last ten years, in cycles. A multiply-add takes one
+//! cycle more than an addition, and [`Program::fused`] does not fuse where this lengthens the
+//! critical path.
 
 use alloc::vec;
 use alloc::vec::Vec;

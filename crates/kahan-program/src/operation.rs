@@ -24,7 +24,7 @@ pub enum Operation<I, C, F = Infallible> {
     Multiply(Node, Node),
     /// The quotient a / b.
     Divide(Node, Node),
-    /// The negative −a.
+    /// The negation −a.
     Negate(Node),
     /// The value a · b + c, rounded once if the arithmetic can do so.
     MultiplyAdd(Node, Node, Node),
@@ -87,8 +87,8 @@ impl<I, C, F: Function> Operation<I, C, F> {
 }
 
 impl<I, C, F> Operation<I, C, F> {
-    /// Returns the arithmetic operation with operands renamed by `rename`, for a program with any
-    /// other types. Inputs, constants and calls contain values of those types, and give `None`.
+    /// Returns an arithmetic operation, with operands renamed by `rename`, for a program with other
+    /// types of inputs, constants and functions. Inputs, constants and calls give `None`.
     pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,

@@ -7,7 +7,7 @@ use core::ops::{Deref, Range};
 use crate::Builder;
 use crate::operation::{Function, Node, Operation};
 
-/// A straight-line program: a list of operations, and the outputs among their results.
+/// A straight-line program: a list of operations, some of whose results are outputs.
 ///
 /// The lists `O` of operations and `N` of outputs are vectors or borrowed slices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -85,8 +85,8 @@ where
         Some(())
     }
 
-    /// Evaluates each output separately, where `input` returns the value of an input. An output is
-    /// `None` if it depends on an undefined value.
+    /// Evaluates a program, where `input` returns the value of an input. An output is `None` if it
+    /// depends on an undefined value.
     pub fn evaluate<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,

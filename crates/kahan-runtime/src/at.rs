@@ -76,7 +76,7 @@ impl<T: RuntimeFloat> MapAt<T> {
         .composed(composition)
     }
 
-    /// Returns the map whose steps are compositions of steps, with a higher order. A composed step
+    /// Returns the map of higher order whose steps are compositions of Kahan steps. A composed step
     /// still takes the time 2ε; [`Composition`] lists the properties that survive.
     ///
     /// Integrals are evaluated at ε = 0, since a composition nearly preserves the integrals of the
@@ -90,9 +90,9 @@ impl<T: RuntimeFloat> MapAt<T> {
         MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
 
-    /// Returns the map whose steps equal, bit for bit, those of trajectories in columns at an
-    /// instruction-set level. Levels above [`Level::Baseline`], the default, fuse multiply-adds.
-    /// Returns `None` if the processor lacks the level, or if the step has no machine code.
+    /// Returns the map whose steps equal, bit for bit, those of columns of trajectories at `level`.
+    /// Levels above [`Level::Baseline`], the default, fuse multiply-adds. Returns `None` if the
+    /// processor lacks the level, or if the step has no machine code.
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
         let (set, fuses) = match level {
@@ -138,8 +138,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(())
     }
 
-    /// Advances the state `numbers[0]`, whose length was checked. For compensated summation,
-    /// `numbers[1]` holds the rounding errors of the state. Otherwise it is empty.
+    /// Advances the state `numbers[0]`, whose length was checked. With compensated summation,
+    /// `numbers[1]` holds the rounding errors of the state; without, it is empty.
     pub(crate) fn advance_checked(&self, numbers: [&mut [T]; 2], steps: u64) {
         let interpret = |numbers: [&mut [T]; 2], steps| {
             self.engine().advance(self.kind, self.stages(), numbers, steps);

@@ -109,7 +109,7 @@ impl Coefficients {
             states: own(states.into_iter().collect()),
             parameters: own(parameters.into_iter().collect()),
         };
-        // Parsing a small field with these names checks the names.
+        // The names are checked by parsing a small field that contains them.
         let sum = if symbols.parameters.is_empty() { "0".to_owned() } else { symbols.parameters.join(" + ") };
         let equations: String = symbols.states.iter().map(|state| format!("{state}dot = {sum};\n")).collect();
         FieldText::new(equations, "names".to_owned()).unproved_system()?;
@@ -160,7 +160,7 @@ impl Coefficients {
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // If Q is symmetric, the equal entries for xⱼxₖ and xₖxⱼ make one coefficient.
+            // A symmetric Q has equal entries for xⱼxₖ and xₖxⱼ, which become one coefficient.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };

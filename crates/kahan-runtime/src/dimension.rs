@@ -24,7 +24,7 @@ pub(crate) enum Argument {
     Parameters,
     Parameter(String),
     Type,
-    /// The dimension of a step with a guaranteed error bound, which is too large.
+    /// The dimension, which is too large for a step with a guaranteed error bound.
     Promise,
 }
 

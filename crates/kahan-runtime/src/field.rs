@@ -81,7 +81,7 @@ impl Field {
         self.with::<&str, f64>([])
     }
 
-    /// Returns whether [`Map::fused`] has steps for this field on this processor.
+    /// Returns whether [`Map::fused`] returns a map for this field on this processor.
     #[must_use]
     pub fn has_fused_steps(&self) -> bool {
         InstructionSet::least(true).is_available() && self.engine.steps().form(false).has_lanes()

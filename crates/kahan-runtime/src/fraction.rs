@@ -88,7 +88,7 @@ impl Arithmetic for Fractions {
         if self.is_zero(b) {
             return None;
         }
-        // The quotient of x/W and y/W is x/y.
+        // For equal denominators, the quotient is that of the numerators.
         if a.below == b.below {
             return Some(Fraction { above: a.above.clone(), below: b.above.clone() });
         }

@@ -18,8 +18,8 @@ type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 /// A straight-line program with several results.
 ///
 /// The registers hold, in order: the constants, the numbers in the plan, the states, and the
-/// computed values. The constants are the parameters and ε. If a step consists of two programs, the
-/// constants of the second are the results of the first.
+/// computed values. The constants are the parameters and ε. In a step of two programs, the second
+/// has the results of the first as constants.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     program: Program<Vec<Instruction>>,
@@ -199,7 +199,7 @@ impl Line {
         registers[self.constants - 1].clone()
     }
 
-    /// Runs the program in its registers; `None` if a division by zero is undefined in the scalar.
+    /// Runs the program in its registers; `None` if it divides by 0 and the scalar has no 1/0.
     #[inline(always)]
     pub(crate) fn run<'a, V: Scalar>(
         &'a self,

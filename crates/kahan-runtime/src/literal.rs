@@ -8,8 +8,8 @@ use smallvec::{SmallVec, smallvec};
 #[derive(Clone, Debug)]
 pub(crate) enum Literal {
     Short(Constant<'static>),
-    /// A long number: 64-bit limbs in little-endian order, the nearest floats, and the remainder
-    /// after the nearest double.
+    /// A long number: 64-bit limbs in little-endian order, the nearest floats, and in `low` the
+    /// difference between the number and `double`.
     Long {
         negative: bool,
         numerator: SmallVec<[u64; 2]>,

@@ -119,7 +119,7 @@ where
     let same = |a: &T, b: &T| a == b || (a.clone() != *a && b.clone() != *b);
     for (x, eps) in samples::<T, N>(40) {
         let (left, right) = (compiled.at(eps.clone()), interpreted.at(eps.clone()));
-        // Beyond eight variables, generated code solves differently, so the last bits differ.
+        // For more than eight variables, the last bits of generated and interpreted steps differ.
         if N <= 8 {
             assert_eq!(left.try_step(&x).ok(), right.try_step(&x).ok());
         }
@@ -244,7 +244,7 @@ fn compositions_keep_their_order() {
     }
 }
 
-/// Compares tangent vectors, derivatives by ε, and gradients with dual numbers.
+/// Compares tangent vectors, ε-derivatives and gradients with derivatives by dual numbers.
 #[test]
 fn derivatives_are_those_of_the_step() {
     let (start, eps, steps) = (vector![0.5, -0.25, 0.125], 0.05, 20);

@@ -172,7 +172,7 @@ fn a_field_of_more_variables_than_the_type_has_is_refused() {
     }
 }
 
-/// A field of three variables is stored in a larger type, in which added variables stay constant.
+/// A field of three variables is run with four or eight, of which the added ones are constant.
 #[test]
 fn variables_that_stand_still_change_nothing() {
     for (command, parameters) in [("e1", vec![]), ("e3", vec![]), ("e9", vec![q("0.1")])] {

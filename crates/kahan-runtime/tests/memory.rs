@@ -34,7 +34,7 @@ fn maps_that_were_dropped_hold_no_memory() {
     assert_eq!(counted.bytes_current, 0);
 }
 
-/// Steps keep registers on the stack, and compute constants only once.
+/// Steps do not allocate: registers are on the stack, and constants are computed only once.
 #[test]
 fn steps_of_floats_allocate_nothing() {
     fn count<T: Scalar, const N: usize>(map: &Interpreted<T, N>, x: SVector<T, N>, eps: T) -> u64 {

@@ -1,5 +1,5 @@
-//! Reads and writes axes, which are names with the values to try, as a JSON object:
-//! `{"a": "0:1:/9", "eps": "1/10:1:5"}`.
+//! Reads and writes axes as a JSON object such as `{"a": "0:1:/9", "eps": "1/10:1:5"}`. An axis is
+//! a name with the values to try.
 //!
 //! Use `#[serde(with = "axes")]` on a [`NamedValues`], an optional one or a list of them.
 

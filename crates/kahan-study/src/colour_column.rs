@@ -12,7 +12,8 @@ use crate::study::Study;
 pub struct ColourColumn {
     /// The observable.
     pub observable: Observable,
-    /// The column's name, or that of [`Observable::Drift`] for the largest drift of all integrals.
+    /// The name of the column. The name of [`Observable::Drift`] means the largest drift of all
+    /// integrals.
     pub column: String,
 }
 
@@ -51,7 +52,7 @@ impl ColourColumn {
     }
 
     /// Returns the observed number of each row; NaN for an orbit without such a number. The table
-    /// must be the answer to a question that observes only this observable.
+    /// must contain this observable, and no other.
     ///
     /// # Panics
     /// If the table has other columns.
@@ -61,7 +62,7 @@ impl ColourColumn {
             StoredColumn::F64(numbers) => numbers,
             other => unreachable!("what is observed is a number, and not {other:?}"),
         };
-        // A parameter may also be called `ended`, but its column holds numbers.
+        // A parameter may also be called `ended`, so the column with text is searched.
         let is_word = |place: &usize| matches!(table.values[*place], StoredColumn::Text(_));
         let is_end = |place: &usize| is_word(place) && table.columns[*place].name == "ended";
         let place_of_end = (0..table.values.len()).find(is_end).expect("a row an orbit");

@@ -37,7 +37,7 @@ pub struct ColumnIndices {
     pub others: Vec<(String, usize)>,
 }
 
-/// A mistake in the columns of a table. The displayed sentence lacks its subject, the table.
+/// A mistake in the columns of a table. Its text is a predicate, to be put after the table's name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ColumnError {
     /// A state has no column.

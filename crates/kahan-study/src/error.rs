@@ -76,8 +76,7 @@ pub enum StudyError {
         /// The number of given coordinates.
         given: usize,
     },
-    /// Some variables have no initial value: there are no first points, and no axis varies these
-    /// variables.
+    /// Some variables have no initial value: neither the first points nor an axis give them one.
     MissingCoordinates {
         /// The variables.
         names: Vec<String>,
@@ -244,7 +243,7 @@ pub enum StudyError {
     },
     /// The question measures times, but the caller's `Watch` provides no clock.
     NoClock,
-    /// Settings of the integrator cannot be compared by cost and error.
+    /// Settings cannot be compared by cost and error, because nothing can be measured.
     Trade {
         /// The name of the field.
         system: String,
@@ -268,8 +267,8 @@ impl StudyError {
     }
 }
 
-/// Writes the name of an option and its value as users of an interface write them: `--eps 1/2`. If
-/// `value` is empty, only the name is written.
+/// A function that writes the name of an option and its value in the syntax of a user interface,
+/// such as `--eps 1/2`. If `value` is empty, only the name is written.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
 /// Spells a named value in the style of JSON, TOML and Python: the name, then the value.

@@ -328,8 +328,8 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Joins operands from left to right, each by `operator`, or by `inverse` if the operand's flag
-    /// is set.
+    /// Joins operands from left to right. An operand whose flag is set is joined by `inverse`, the
+    /// others by `operator`.
     fn chain<'a>(
         &self,
         builder: &mut Builder,

@@ -53,7 +53,7 @@ impl<'t> TomlDocument<'t> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }
 
-    /// Returns the line (from 1) of the last value that exists along a path of keys and indices.
+    /// Follows keys and indices to the last value that exists, and returns its line (from 1).
     #[must_use]
     pub fn line(&self, path: &[String]) -> usize {
         let place = in_table(self.root.get_ref(), path);

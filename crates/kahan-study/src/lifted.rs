@@ -31,7 +31,7 @@ pub struct Lifting {
     /// The names of the coordinates of `start`. If empty, the coordinates are in the order of the
     /// variables.
     pub names: Vec<String>,
-    /// Values of parameters at which lifts are compared, for parameters without a given value.
+    /// Values for parameters that have no given value. Lifts are compared at these values.
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
@@ -187,7 +187,7 @@ fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
             named.insert(name.to_string());
         });
     }
-    // A claim may use a constant that depends on another constant.
+    // A constant that a claim uses may itself use earlier constants.
     let constants: Vec<(&str, Expr)> = block
         .constants
         .iter()
@@ -355,7 +355,7 @@ impl Study {
         let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
         let new = lifted.lift.embed(&floats(&states), &floats(&own));
         let undefined = lifted.lift.new.iter().zip(&new).find(|(_, value)| !value.is_finite());
-        // If rounding hides the division by 0, the first new variable is named in the error.
+        // If rounding makes all new variables finite, the error names the first of them.
         let (new, _) = undefined.or_else(|| lifted.lift.new.iter().zip(&new).next()).expect("a new variable");
         Err(StudyError::NotEmbedded {
             variable: new.name.clone(),
@@ -367,7 +367,7 @@ impl Study {
 /// The length of the time interval over which errors of relations are measured.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
-/// An eighth of an orbit is divided into this number of segments, whose largest errors are kept.
+/// Each eighth of an orbit is divided into this number of segments, whose largest errors are kept.
 const SEGMENTS_PER_EIGHTH: usize = 50;
 /// An error that grows by this factor from the first to the last eighth of an orbit drifts.
 const DRIFT_GROWTH: f64 = 1.5;
@@ -522,7 +522,7 @@ pub struct RelationFound {
     pub along: Option<RelationFate>,
     /// The formula that the map preserves exactly.
     pub formula: Option<String>,
-    /// The largest rate λ, over all relations, at which small errors grow: like exp(λt).
+    /// The growth rate λ of errors, which grow like exp(λt): the largest rate of all relations.
     #[serde(serialize_with = "finite")]
     pub rate: Option<f64>,
     /// The index, among the new variables, of the variable that the relation defines.

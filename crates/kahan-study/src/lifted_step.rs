@@ -76,8 +76,8 @@ impl Study {
         if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }
     }
 
-    /// Warns if the lift was chosen without an orbit, and an error of its relations grows more than
-    /// 100-fold until t = 100 along the orbit that starts at `at`. Computes this orbit.
+    /// Follows the orbit from `at` until t = 100, unless the lift was chosen by an orbit. Returns a
+    /// warning if an error of the lift's relations grows more than 100-fold.
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;

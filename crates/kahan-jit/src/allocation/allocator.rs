@@ -24,7 +24,7 @@ pub(super) struct Allocator<'a> {
     pub(super) free_slots: Vec<usize>,
     /// For each value, the indices of the results that are equal to this value.
     pub(super) results_of: Vec<Vec<usize>>,
-    /// For each result, whether it is stored only after the last read of the states.
+    /// For each result, whether it is stored last, since the state it replaces may still be read.
     pub(super) waits: Vec<bool>,
     pub(super) code: Allocation,
 }
@@ -184,7 +184,7 @@ impl<'a> Allocator<'a> {
         for operand in operands {
             self.lock(operand);
         }
-        // The instruction can read one operand from memory, and only once.
+        // A fused multiply-add reads at most one operand from memory. A value used twice is loaded.
         for operand in [c, b, a] {
             let in_memory = |value: &usize| self.register_of[*value].is_none();
             let is_only = operands.iter().filter(|value| in_memory(value)).count() == 1;
@@ -205,8 +205,8 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // The result gets a new register. An operand in memory is loaded there, or the addend
-            // is copied there if all operands are in registers.
+            // The result gets a new register. If an operand is in memory, it is loaded into this
+            // register. Otherwise, the addend is copied into it.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {

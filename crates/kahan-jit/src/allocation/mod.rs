@@ -32,7 +32,7 @@ pub(crate) enum MachineInstruction {
     Load(Vector, ValueLocation),
     Store(ValueLocation, Vector),
     Copy(Vector, Vector),
-    /// Computes to = a ∘ b for the operator ∘. The fields are the operator, to, a and b.
+    /// Computes to = a ∘ b. The fields are the operator ∘, the vectors `to` and a, and b.
     Binary(Binary, Vector, Vector, Source<ValueLocation>),
     /// A fused multiply-add. `FusedOrder` says which of the operands to, b, c are multiplied.
     Fused(Fused, FusedOrder, Vector, Vector, Source<ValueLocation>),
@@ -120,7 +120,7 @@ fn constants_in_registers(program: &Program, plan: RoundPlan, most: usize) -> Ve
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        // A program whose results do not become states runs once, and loads each constant once.
+        // Programs without states as results run once, so registers for constants save no load.
         Instruction::Constant(_) => plan.ends != ResultDestination::Elsewhere,
         _ => false,
     };

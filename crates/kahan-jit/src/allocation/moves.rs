@@ -36,7 +36,7 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
     }
 }
 
-/// Returns the index of a move whose target no other move reads, or else the first move.
+/// Returns the index of a move whose target is the source of no move, or 0 if there is none.
 fn next(moves: &[(Vector, Source<ValueLocation>)]) -> Option<usize> {
     let is_free = |(to, _): &(Vector, Source<ValueLocation>)| {
         !moves.iter().any(|(_, source)| *source == Source::Register(*to))

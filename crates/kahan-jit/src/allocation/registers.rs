@@ -40,8 +40,8 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Returns whether a variable should be loaded from memory, because it is read again and a
-    /// register is unused.
+    /// Returns whether a value in memory that is no constant should be loaded, because it is read
+    /// again and a register is unused.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable =
             !matches!(self.home[value], Some(ValueLocation::Constant(_) | ValueLocation::Literal(_)) | None);

@@ -9,7 +9,7 @@ pub(crate) struct Entry(usize);
 #[derive(Debug)]
 pub(super) struct Pool {
     form: OperandForm,
-    /// The bits of each constant in one lane.
+    /// The bits of one lane of each constant.
     entries: Vec<u64>,
     /// For each reference, its position in the code and its constant.
     uses: Vec<(usize, Entry)>,
@@ -37,8 +37,8 @@ impl Pool {
         self.uses.push((place, entry));
     }
 
-    /// Appends the constants to the code, at the start of a cache line. The gap before them holds
-    /// `filler`, which traps when executed. `refer` patches each reference with its target.
+    /// Appends the constants to the code, after a gap up to the next cache line. The gap consists
+    /// of `filler` bytes, which trap when executed. `refer` writes the target into each reference.
     pub(super) fn append_to(
         self,
         mut code: Vec<u8>,

@@ -10,7 +10,7 @@ use core::arch::asm;
 pub(super) fn publish(code: &[u8]) {
     let [data, instructions] = line_lengths();
     for line in lines(code, data) {
-        // SAFETY: the line contains a byte of `code`, and its contents stay unchanged.
+        // SAFETY: this cache line contains a byte of `code`, and its contents stay unchanged.
         unsafe { asm!("dc cvau, {}", in(reg) line, options(nostack, preserves_flags)) };
     }
     // SAFETY: the barrier only waits for the instructions before it.

@@ -76,12 +76,12 @@ mod on_linux {
         for _ in 0..PAGES {
             drop(Pages::new(&bytes).expect("the system gives pages"));
         }
-        // Other tests that run at the same time hold far fewer than a tenth of these pages.
+        // Other tests run at the same time, but hold far fewer than a tenth as many pages.
         let (after, most) = (executable(), before + PAGES / 10 * bytes.len());
         assert!(after < most, "{after} bytes, not {before}");
     }
 
-    /// Runs this test again in a process that is limited to 1 GiB of address space.
+    /// Runs this test again in a process with 1 GiB of address space, where allocation fails.
     #[test]
     fn a_refusal_of_the_system_is_an_error() {
         const LIMITED: &str = "KAHAN_JIT_LIMITED";

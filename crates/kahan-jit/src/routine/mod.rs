@@ -33,7 +33,7 @@ struct Frame {
 
 impl Frame {
     /// Begins a function over numbers of type `T`, with stack slots above the stack pointer. Panics
-    /// if the results replace the states, and a state that the program reads gets no new value.
+    /// if results become the next states, but the program reads a state without a result.
     fn open<T: Float>(
         program: &Program,
         shape: Shape,

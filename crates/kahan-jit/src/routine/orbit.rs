@@ -18,7 +18,7 @@ pub struct Orbit<T> {
     round_bytes: usize,
 }
 
-/// Code that iterates a program. A round runs the program once for each set of constants, in order.
+/// Code that iterates a program. A round runs the program with several sets of constants, in order.
 #[derive(Debug)]
 pub struct ComposedOrbit<T> {
     code: Code<T>,
@@ -51,10 +51,9 @@ impl<T: Float> Orbit<T> {
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: for each result and each constant of the program, the code reads one register.
-        // The code writes only the results, and if states stay in registers, only to the array in
-        // the fourth argument. Only `Code::orbit` and, if states stay in registers,
-        // `Code::orbit_step` enter the code.
+        // SAFETY: the code reads as many states as there are results, and the constants. It writes
+        // only these states, or if states stay in registers, the array in the fourth argument. Only
+        // `Code::orbit` and, in the latter case, `Code::orbit_step` enter the code.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends, round_bytes })
     }
@@ -73,8 +72,8 @@ impl<T: Float> Orbit<T> {
         self.code.orbit(state, constants, steps);
     }
 
-    /// Writes the state after one step to `next`. Code that keeps states in registers reads `state`
-    /// directly. Other code is slower, because `state` is first copied to `next`.
+    /// Writes the state after one step to `next`. If the states do not fit into registers, this is
+    /// slower, because `state` is first copied to `next`.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.

@@ -8,7 +8,7 @@ mod hostile;
 mod refused;
 mod run;
 
-/// Returns whether this test binary can start itself, which fails under an emulator.
+/// Returns whether this test binary can run itself as a child process. An emulator prevents this.
 #[cfg(target_os = "linux")]
 pub(crate) fn starts_itself() -> bool {
     let program = std::env::current_exe().expect("this program has a name");

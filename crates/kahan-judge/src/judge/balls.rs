@@ -34,7 +34,7 @@ impl Balls {
         Some(Box::new(Fraction::of_equation(&equation)?))
     }
 
-    /// Returns what `of_balls` finds with balls of growing precision, or else what `exactly` finds.
+    /// Returns the answer of `of_balls` at growing precision, or if it gives none, of `exactly`.
     fn answer<R>(
         &self,
         of_balls: impl Fn(&[Ball], u64) -> Option<R>,
@@ -137,7 +137,7 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
     precisions().find_map(|bits| elimination::condition(&at, &curvature, bits)).unwrap_or(f64::INFINITY)
 }
 
-/// Expands det A, row by row, as a polynomial in a random state or in ε.
+/// Expands det A, row by row, as a polynomial in ε or in one state, chosen at random.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
     /// With this many bits, roots are as precise as the longest scalar type, unless many digits
     /// cancel.

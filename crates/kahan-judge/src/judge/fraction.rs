@@ -1,7 +1,7 @@
 //! Represents the exact step x̃ as quotients x̃ᵢ = Nᵢ/d with one denominator d.
 //!
-//! A result y has the error |yᵢd − Nᵢ|/|d| in component i. The error is compared with max |Nᵢ|/|d|
-//! without division.
+//! A result y has the error |yᵢd − Nᵢ|/|d| in component i. All errors and max |Nᵢ|/|d| have the
+//! denominator |d|, so they are compared without division.
 
 use std::cmp::Ordering;
 

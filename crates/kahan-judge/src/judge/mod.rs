@@ -40,8 +40,8 @@ pub(crate) trait ExactMap: Debug + Send + Sync {
         true
     }
 
-    /// Returns the denominator of the map as a polynomial in one variable, which is chosen at
-    /// random. For `is_removable`, returns instead the factor that cancels in the map.
+    /// Returns the denominator of the map as a polynomial in one variable, chosen at random. If
+    /// `is_removable` is true, returns the factor that cancels in the map instead.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 

@@ -22,7 +22,7 @@ pub(super) struct Reduced {
     denominator: Terms,
     /// The derivatives of numerators and denominator by each state and by ε.
     slopes: Vec<Slopes>,
-    /// The denominator as a polynomial in each of its variables.
+    /// For each variable in the denominator: the denominator as a polynomial in this variable.
     poles: Vec<Univariate>,
     removable_poles: Vec<Univariate>,
     degree: usize,

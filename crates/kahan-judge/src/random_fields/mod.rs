@@ -111,8 +111,8 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     field("Scaled", "parameters, and divisors of them", states, equations, &PARAMETERS)
 }
 
-/// Draws fields with coefficients ±1, and with parameters in some linear terms. For parameters ±1,
-/// leading terms of det A cancel.
+/// Draws fields with coefficients ±1, and with parameters in some linear terms. If the parameters
+/// are ±1, terms of det A cancel.
 fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN_STATE_NAMES[..n];
     let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };

@@ -30,7 +30,7 @@ pub(crate) fn plain(seed: u64, number: usize, title: &str, variables: usize) -> 
     let mut draw = Draw::new(seed, title, number);
     draw.states = (1..=variables).map(|k| format!("x{k}")).collect();
     draw.take_parameters();
-    // The step 35 is coprime to 8, so dense fields occur with every number of variables.
+    // Every 35th field is dense. As 35 is coprime to 8, all eight numbers of variables occur.
     let is_dense = title == "Odd" && number % 35 == 34;
     let equations: Vec<String> = (0..variables)
         .map(|k| format!("x{}dot = {};", k + 1, if is_dense { draw.dense() } else { draw.sum() }))
@@ -52,7 +52,7 @@ pub(crate) struct Draw {
     pub(crate) states: Vec<String>,
     pub(crate) parameters: Vec<String>,
     divisors: Vec<String>,
-    /// In a chain, the largest offset j in names such as `x[i+j]` and `x[i-j]`; 0 for fields.
+    /// The largest offset j in names such as `x[i+j]` and `x[i-j]` of a chain; 0 without a chain.
     pub(crate) offsets: i64,
     /// The coefficient n·2^k that was written last, as the pair (n, k).
     last: (u64, i64),

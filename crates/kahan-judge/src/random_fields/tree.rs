@@ -9,7 +9,7 @@ pub enum Tree {
     Literal(String),
     /// The name of a state or a parameter.
     Name(&'static str),
-    /// The negative −a.
+    /// The negation −a.
     Negated(Box<Tree>),
     /// The sum a + b + …. Negated terms are written with a minus.
     Sum(Vec<Tree>),

@@ -3,7 +3,7 @@
 //!
 //! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` builds and runs
 //! a crate. `KAHAN_ODD=0,200,100` asks for 0 fields of up to eight variables, 200 larger fields and
-//! 100 chains (equations for sites i), and takes two hours. `KAHAN_ODD_TRIALS` sets the number of
+//! 100 chains (equations for sites i). This takes two hours. `KAHAN_ODD_TRIALS` sets the number of
 //! trials of each field. `KAHAN_ODD_NAMED=Chain74` selects one field.
 
 use std::fmt::Write as _;
@@ -177,8 +177,8 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// Builds the crate as a user does, and returns the path of its program. The crate itself has
-/// optimisation level 1, which changes no bits and saves minutes.
+/// Builds the crate as a user does, and returns the path of its program. The generated code is
+/// compiled with `opt-level = 1`, which changes no results and saves minutes.
 fn build(fields: &[Tried]) -> PathBuf {
     let folder = root().join("target").join("compiled_extremes");
     fs::create_dir_all(folder.join("src")).expect("a folder can be made");

@@ -1,6 +1,6 @@
-//! Another program makes steps by code that the macro generated. The tests judge its results.
+//! A generated program makes steps by code of the macro. The tests judge its results.
 //!
-//! Both programs exchange the arguments and the results of `try_step` as bits.
+//! The programs exchange arguments and results of `try_step` as bits.
 
 use kahan_algebra::family::Family;
 use kahan_algebra::system::System;
@@ -76,8 +76,8 @@ impl Compiled {
         Self::of(name, system, judge_of(system))
     }
 
-    /// Prepares a chain of `sites` sites. The parameters of the whole chain come first, then those
-    /// of the sites, name by name.
+    /// Prepares a chain of `sites` sites. First come the parameters of the whole chain. For each
+    /// other name, one parameter per site follows.
     pub(super) fn of_chain(name: &str, family: &Family, sites: usize) -> Self {
         let system = family.at_sites(sites).expect("no site divides by zero");
         Self::of(name, &system, Box::new(ByResidual(Equation::of(&system), Rows::Own)))

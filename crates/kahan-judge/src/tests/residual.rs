@@ -1,11 +1,11 @@
-//! Tests results by the residual of the defining equation, for steps of many variables.
+//! Tests results of steps of many variables by the residual of the step's equation A·x̃ = b.
 //!
-//! Let b = A·x + 2εf, and let u be the scalar's unit. A result y is within its error bound if, in
-//! every row i,
+//! Let u be the scalar's unit. A result y is within its error bound if, in every row i,
 //!
 //! |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ,
 //!
-//! where k is the number of entries of A in row i for chains, and in the widest row for fields.
+//! where k is the number of entries of a row of A: of row i in a chain, of the widest row in a
+//! field.
 
 use std::cmp::Ordering;
 
@@ -86,7 +86,7 @@ impl ExactStep for Residual {
         verdict
     }
 
-    /// Returns whether x̃ exists and the format holds x̃; `false` if undecided.
+    /// Returns whether it is certain that x̃ exists and that the format holds it.
     fn fits(&self, format: &Format) -> bool {
         for bits in precisions() {
             match elimination::next(&self.equation, bits) {

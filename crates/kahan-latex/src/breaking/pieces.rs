@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Returns the insides of the first fraction or parentheses at the top level of a factor.
+/// Returns the ranges inside the first fraction (two) or parentheses (one) of a factor.
 pub(super) fn group_insides(factor: &str) -> Option<Vec<Range<usize>>> {
     const FRACTION: &str = "\\frac{";
     const OPEN: &str = "\\left(";
@@ -26,7 +26,7 @@ pub(super) fn group_insides(factor: &str) -> Option<Vec<Range<usize>>> {
     None
 }
 
-/// Returns the position of the `}` or `\right` that closes the group with its inside at `start`.
+/// Returns the position of the `}` or `\right` that closes a group with contents from `start`.
 pub(super) fn closing(text: &str, start: usize) -> usize {
     let mut depth = NestingDepth::default();
     for (at, _) in text[start..].char_indices() {
@@ -38,7 +38,7 @@ pub(super) fn closing(text: &str, start: usize) -> usize {
     text.len()
 }
 
-/// The depth to which braces, `\left … \right` and environments are nested.
+/// The number of open braces, `\left` and environments, and whether the next character is escaped.
 #[derive(Default)]
 struct NestingDepth(i32, bool);
 

@@ -11,7 +11,7 @@ pub fn width_of(formula: &str) -> usize {
         let rest = &formula[at..];
         let (size, taken) = match c {
             '\\' => command(rest),
-            // Signs between terms have a space on both sides.
+            // Signs between terms have a space on both sides, so they are three characters wide.
             '+' | '-' | '=' if rest[1..].starts_with(' ') && at > 0 => (3, 1),
             ' ' | '{' | '}' | '&' | '^' | '_' | '\n' => (0, c.len_utf8()),
             _ => (1, c.len_utf8()),

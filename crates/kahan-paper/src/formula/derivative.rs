@@ -27,7 +27,7 @@ pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, S
                 let mut term = factors.clone();
                 let slope = derivative(factor, variable)?;
                 if *divides {
-                    // The derivative of 1/b is 1/b · (−b′/b).
+                    // The derivative of 1/b is −b′/(b·b), so b becomes a divisor once more.
                     term.push((true, factor.clone()));
                     term.push((false, slope));
                 } else {
@@ -91,7 +91,7 @@ fn unknown(name: &str) -> String {
 fn depends_on(formula: &Formula, variable: &str) -> bool {
     match formula {
         Formula::Name(name) => name == variable,
-        // The values of these calls depend on all states.
+        // The values of these calls depend on all states, and therefore on `variable`.
         Formula::Call(name, _) if matches!(name.as_str(), "next" | "back" | "f" | "A" | "b" | "J") => true,
         _ => formula.parts().into_iter().any(|part| depends_on(part, variable)),
     }

@@ -15,7 +15,7 @@
 //! | `f(i)`, `A(i,j)`, `b(i)` | the field f(x), and A and b of the step A(x,ε)·x̃ = b(x,ε) |
 //! | `J(i,j)`, `detA`, `detJ` | the Jacobian matrix J = ∂x̃/∂x, and determinants of A and J |
 //! | `sum(j, a, b, E)` | the sum of E over j = a, …, b |
-//! | `exp`, `sn`, `gamma`, … | elementary, Jacobi's (modulus second), Γ, ψ (`digamma`), theta, … |
+//! | `exp`, `sn`, `gamma`, … | elementary, Jacobi's `sn(u, k)`, Γ, ψ (`digamma`), theta functions |
 
 mod atoms;
 mod derivative;
@@ -147,7 +147,7 @@ impl Formula {
         }
     }
 
-    /// Returns the formula in which `new` is applied to each operand.
+    /// Returns the formula with each operand E replaced by `new(E)`.
     pub(crate) fn of_parts<E>(&self, new: &dyn Fn(&Formula) -> Result<Formula, E>) -> Result<Self, E> {
         let boxed = |part: &Formula| new(part).map(Box::new);
         let marked = |parts: &[(bool, Formula)]| -> Result<Vec<_>, E> {

@@ -5,8 +5,8 @@ use std::ops::Range;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::{Token, TokenKind};
 
-/// Returns all mutations of a text: numbers are increased by one in their last place, signs
-/// flipped, right-hand sides doubled, and `*` and `/` exchanged.
+/// Returns all mutations of a text: a number is increased by one in its last place, a sign is
+/// flipped, a right-hand side is doubled, or `*` and `/` are exchanged.
 #[must_use]
 pub fn mutations(text: &str) -> Vec<String> {
     let lexed = lex(text);

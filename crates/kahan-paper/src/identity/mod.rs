@@ -61,8 +61,8 @@ impl Identity<'_> {
     /// Checks the relation, and returns the evidence or the reason of a failure.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // Variables that replace functions may depend on each other, so a difference proves
-        // nothing.
+        // Functions are replaced by variables, which may depend on each other. Different
+        // polynomials in them may therefore be equal.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,
@@ -79,7 +79,7 @@ impl Identity<'_> {
         self.numerical()
     }
 
-    /// Returns whether the relation holds at exact values of the names, if both sides are defined.
+    /// Returns both sides at exact values of the names, and whether the relation holds there.
     pub(super) fn at_point(
         &self,
         point: &BTreeMap<String, Rational>,

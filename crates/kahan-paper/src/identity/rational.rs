@@ -26,7 +26,7 @@ type Point = BTreeMap<String, Rational>;
 impl Identity<'_> {
     pub(super) fn rational(&self, left: &Formula, right: &Formula) -> Result<Evidence, String> {
         let names = self.names([left, right]);
-        // The formulas seed the points, so no formula can be fitted to the points.
+        // The points depend on a hash of the formulas, so no formula can be made to fit them.
         let mut random = Shake256::new(format!("{left:?} {:?} {right:?}", self.relation).as_bytes());
         let sizes = names.iter().map(|name| (name.clone(), FractionSize::variable())).collect();
         let points = match self.sides(&SizeArithmetic, left, right, sizes).map_err(|trouble| words(&trouble))

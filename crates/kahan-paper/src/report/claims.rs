@@ -45,7 +45,7 @@ impl Verdicts {
         text.join("\n") + "\n"
     }
 
-    /// Writes all claims by system with statement, source and time, then open questions and totals.
+    /// Writes each system's claims with statement, source and time, then open questions and totals.
     #[must_use]
     pub fn in_full(&self, width: usize) -> String {
         let cells = self.claims.iter().map(|row| {

@@ -1,4 +1,4 @@
-//! Verdicts as plain text: a summary on one screen, one line for each claim, or all in full.
+//! Verdicts as plain text: a summary, one line for each claim, or a description of each claim.
 
 mod claims;
 mod summary;

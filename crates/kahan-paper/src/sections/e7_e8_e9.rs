@@ -1,4 +1,4 @@
-//! Claims of section 6, on dE7 and dE8, and on the quadrature of E9.
+//! Claims of section 6 about dE7, dE8, and the orbits of E9 with the time along them.
 
 mod e7;
 mod e8;

@@ -16,7 +16,7 @@ const ITERATES: &str = "
     x1 := r(x, y); x2 := r(x1, x); x3 := r(x2, x1); x4 := r(x3, x2); x5 := r(x4, x3); x6 := r(x5, x4);
 ";
 
-/// Claims about the flow, the map, and the map at ε = ±1, for which alone `H_hat` is an integral.
+/// Claims about the flow and the map. `H_hat` is an integral of the map only at ε = ±1.
 const CLAIMS: &str = "
 field | the Lotka-Volterra flow | f1 = x*(1 - y); f2 = y*(x - 1)
 hamilton | Hamilton's equations with {x,y} = x y |

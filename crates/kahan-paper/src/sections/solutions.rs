@@ -101,7 +101,7 @@ impl Solution {
     }
 
     /// Makes the claims that each component solves its equation, and that the integrals have the
-    /// stated values. The sign `-` marks an additional factor (−1)ⁿ.
+    /// stated values. A sign `-` gives a component the additional factor (−1)ⁿ.
     fn claims(&self, id: &str, place: &str, signs: [&str; 3]) -> Vec<Claim> {
         let system = self.system;
         let claim = |cell: &str, statement: String| {
@@ -122,7 +122,7 @@ impl Solution {
             if signs == [""; 3] {
                 return claim(state, step);
             }
-            // A claim for odd n: the factor (−1)ⁿ is −1 at n, and 1 at n + 1.
+            // For odd n, the factor (−1)ⁿ is −1 at n and 1 at n + 1, so only one side has signs.
             let [x, y, z] = [0, 1, 2].map(|j| format!("{}{}(n)", signs[j], FUNCTIONS[j]));
             claim(state, format!("{step}; on(next({state}), {x}, {y}, {z}) = {name}(n + 1)"))
         });

@@ -8,9 +8,9 @@ pub struct StructureRow {
     pub system: &'static str,
     /// The Lie algebras of the tensors P and Q.
     pub algebras: [Algebra; 2],
-    /// The definitions of H, K, c, P and Q of Table 1, and for maps those of Tables 2 to 4. Tensors
-    /// are given by {x,y}, {y,z} and {z,x}, named `P12`, `P23` and `P31`. Names for the map end in
-    /// `_eps`.
+    /// The definitions of H, K, c, P and Q in Table 1. For maps, also those in Tables 2 to 4, whose
+    /// names end in `_eps`. Tensors are given by {x,y}, {y,z} and {z,x}, named `P12`, `P23` and
+    /// `P31`.
     pub definitions: &'static str,
 }
 

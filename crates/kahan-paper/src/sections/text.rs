@@ -65,8 +65,8 @@ impl ClaimText {
     }
 }
 
-/// Reads claims, where `claim` makes a claim from a name, a place and a statement. Panics if a
-/// line lacks one of these.
+/// Reads claims. `claim` makes each from its name, place and statement. Panics if a claim lacks a
+/// place or a statement.
 pub(super) fn read(text: &str, claim: impl Fn(&str, &str, &str) -> Claim) -> Vec<Claim> {
     let one = |written: ClaimText| {
         let mut parts = written.head.splitn(3, " | ");

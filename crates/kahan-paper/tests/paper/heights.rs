@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::paper;
 
-/// For each orbit, the growth of heights and the limit of ratios of successive heights.
+/// For each system: the growth of heights h(n), and the limit of h(n+1)/h(n).
 const GROWTH: [(&str, Growth, f64); 7] = [
     ("lv", Growth::Exponential, 2.0),
     ("e3", Growth::Linear, 1.0),

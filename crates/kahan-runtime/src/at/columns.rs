@@ -1,7 +1,7 @@
 //! Many trajectories in columns, one column for each variable.
 //!
-//! In: columns, ε and parameters; each value is shared, or each trajectory has a value of its own.
-//! Out: the columns after some steps, and how each trajectory ended.
+//! In: columns, and ε and parameters with one value for all trajectories or one for each. Out: the
+//! columns after some steps, and how each trajectory ended.
 
 use core::ops::ControlFlow;
 use core::slice;
@@ -200,8 +200,8 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Returns the number of steps from each start to its last finite point; each orbit must end
-    /// before `steps` steps.
+    /// Returns, for each start, the number of steps to the last finite point. Every orbit must have
+    /// nonfinite points after `steps` steps.
     fn finite_steps(
         &self,
         kind: StepKind,
@@ -226,8 +226,8 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time, because `eps` contains an ε that is too near 0 to divide
-    /// by.
+    /// Follows trajectories one at a time, because some ε in `eps` is so near 0 that a step must
+    /// not divide by it.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],

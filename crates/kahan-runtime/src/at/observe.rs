@@ -63,8 +63,8 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits in groups. If `has_observed` returns `false` for a group, this function
-    /// observes the group itself.
+    /// Observes orbits in groups. A group is observed by `has_observed`, or if that returns
+    /// `false`, by this function.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -176,7 +176,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// Returns machine code that steps orbits and tangent vectors by the variational field's map.
+    /// Returns machine code of Kahan's map of the variational field: points with tangent vectors.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,
@@ -220,8 +220,8 @@ impl<O> WhileFinite<O> {
         Self::within(f64::MAX, observers)
     }
 
-    /// Shows points up to and including the first point with a variable larger than `bound`. At
-    /// this point the orbit has [escaped](End::Escaped).
+    /// Shows points up to and including the first point at which some |xᵢ| exceeds `bound`. There
+    /// the orbit has [escaped](End::Escaped).
     #[must_use]
     pub fn within(bound: f64, observers: O) -> Self {
         WhileFinite { observers, bound, end: End::Complete }
@@ -255,7 +255,7 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
         Followed { report: self.observers.report(), end: self.end }
     }
 
-    /// Observes all orbits of a group together while all of them continue. Without a bound, only
+    /// Shows points of all orbits of a group together until one orbit ends. Without a bound, only
     /// the last points are tested, since nonfinite points stay nonfinite.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where

@@ -20,7 +20,7 @@ impl<T: MachineFloat> MapAt<T> {
         Tangent::new(self.clone(), 1)
     }
 
-    /// Returns whether a straight-line program propagates tangent vectors for known x̃.
+    /// Returns whether a straight-line program propagates tangent vectors after x̃ is computed.
     pub(super) fn has_tangent_line(&self) -> bool {
         let has_plain_steps = matches!(self.kind.precision, Precision::Single | Precision::Double);
         let is_composed = self.composition.stages() > 1;

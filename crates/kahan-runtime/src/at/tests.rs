@@ -101,7 +101,7 @@ fn read(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> [Box<d
     }
 }
 
-/// Returns the orbit of a compiled map in a scheme; missing coordinates are 0.
+/// Returns the orbit of a compiled map in the precision of `scheme`. Missing coordinates are 0.
 fn of_map<M, const N: usize>(exact: &M, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Box<dyn Steps>
 where
     M: ExtendScalars<BigRational, N, Extended<f32>: 'static, Extended<f64>: 'static, Extended<Dd>: 'static>,

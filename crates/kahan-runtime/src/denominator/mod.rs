@@ -10,11 +10,11 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// In the error bound of a product, a smaller factor is replaced by this number, so that products
-/// do not underflow.
+/// In the error bound of a product, factors below this number are replaced by it. Otherwise the
+/// bound could underflow.
 const TINY: f64 = 1.0 / (1_u128 << 110) as f64;
 
-/// The denominator of the map, d(x, ε·t), as a polynomial in the states x and in t, 0 < t ≤ 1.
+/// The denominator d(x, ε·t) of the map, a polynomial in the states x and in t, where 0 < t ≤ 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Denominator {
     states: Vec<Variable>,

@@ -24,7 +24,7 @@ pub(super) const GUARDED: u64 = 64;
 /// The code of an orbit, compiled at first use; `Some(None)` after a failed compilation.
 type OrbitCodeCell<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
-/// The stages of a palindromic step as code, with constants for the stages up to the middle one.
+/// The machine code of a palindromic step, and the constants of its stages up to the middle one.
 #[derive(Clone, Debug)]
 pub(crate) struct CompiledStages<T: RuntimeFloat> {
     /// The code for plain steps, then the code for steps with compensated summation.
@@ -40,7 +40,7 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         CompiledStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages, if this number and `kind` are equal for all of `all`.
+    /// Returns the number of distinct stages; `None` if it or `kind` differs for one of `all`.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
@@ -65,7 +65,7 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         advance_dense_columns(self.kind, columns, &self.constants, steps, alone);
     }
 
-    /// Returns the code for `steps` further steps; `None` if compilation fails or does not pay yet.
+    /// Returns the code for `steps` steps; `None` if it fails to compile or saves no time yet.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
         let kind = StepKind { compensated: carries, ..self.kind };
@@ -100,7 +100,7 @@ impl<T: RuntimeFloat> CompiledStages<T> {
     }
 
     /// Replaces a state by the next state at another ε, without allocation. Returns `false` and
-    /// changes nothing if the code is not compiled, can reject steps, or does not apply at this ε.
+    /// changes nothing if the code is not compiled, may reject a step, or is not valid at this ε.
     pub(crate) fn has_stepped_at(
         &self,
         engine: &Engine,
@@ -140,8 +140,8 @@ impl<T: RuntimeFloat> CompiledStages<T> {
             code.advance(words, &self.constants, steps);
             return true;
         }
-        // The state is taken out of the scratch memory, because the loops of dense fields borrow
-        // the memory.
+        // The state is moved out of the scratch memory, because the loops for dense fields borrow
+        // this memory themselves.
         let mut numbers = with_scratch(T::Word::single(), |scratch| std::mem::take(&mut scratch.state));
         numbers.clear();
         numbers.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));

@@ -1,4 +1,4 @@
-//! Advances many trajectories by machine code, in tiles of whole registers.
+//! Advances many trajectories by machine code, in tiles that fill whole SIMD registers.
 //!
 //! In: columns, with ε and parameters. Out: the columns after some steps. A tile holds the columns
 //! of some trajectories; all its steps run while the tile is in the L1 cache.
@@ -19,7 +19,7 @@ const TILE: usize = 512;
 /// The number of bytes in a cache line.
 const LINE: usize = 64;
 const PAGE: usize = 4096;
-/// The number of steps from which copying a tile to aligned memory pays.
+/// If at least this many steps follow, copying a tile to aligned memory saves time.
 const WORTH_MOVING: u64 = 8;
 
 impl Engine {

@@ -84,7 +84,7 @@ impl Engine {
         }
     }
 
-    /// Returns `kind` with the formula that all single orbits use; `None` if their formulas differ.
+    /// Returns `kind` with the formula of single orbits at these ε; `None` if they use several.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,

@@ -106,9 +106,8 @@ impl EliminationPattern {
     /// [`factor`](Self::factor) would return `false`; `None` if no pivot has entries both below it
     /// and to its right.
     ///
-    /// For each pivot, take the smaller of two numbers: the largest multiplier of its column, and
-    /// the largest quotient of an entry of its row by the pivot. The result is the maximum over the
-    /// pivots.
+    /// For each pivot, let m be the largest multiplier of its column, and q the largest quotient of
+    /// an entry of its row by the pivot. The result is the maximum of min(m, q) over all pivots.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     pub(crate) fn growth<V: Scalar>(
@@ -156,7 +155,7 @@ impl EliminationPattern {
         self.in_order(factors, b, [1, 0], |couplings, values, row| couplings.solve_transposed(values, row));
     }
 
-    /// Applies the closure `solve` to a column of b whose entries are put in elimination order.
+    /// Puts a column of b into elimination order, applies `solve`, and restores the order.
     #[inline(always)]
     fn in_order<V: Scalar>(
         &self,

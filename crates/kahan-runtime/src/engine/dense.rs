@@ -121,8 +121,8 @@ fn is_negative_zero<T: MachineFloat>(x: &T) -> bool {
     x.is_zero() && (T::one() / *x).approximate() < 0.0
 }
 
-/// Advances many trajectories by SIMD loops; each column holds one variable. If a pivot of a
-/// trajectory is too small, or a number is not finite or −0, `alone` repeats its steps.
+/// Advances many trajectories by SIMD loops; each column holds one variable. If a trajectory has a
+/// too small pivot, a nonfinite number or a number −0, `alone` repeats its steps.
 pub(crate) fn advance_columns<T: MachineFloat>(
     kind: StepKind,
     columns: &mut [&mut [T]],

@@ -39,7 +39,7 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
 /// Replaces `b` by the solution x of A·x = b. Returns whether A is singular; x is then not finite.
 ///
 /// A row is a nonempty list of (column, entry), ordered by column. The pivot row is the shortest
-/// row whose leading entry, times `most`, is not smaller than the largest leading entry.
+/// row whose leading entry a satisfies `most`·|a| ≥ |b| for all leading entries b in its column.
 pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: &mut [V], most: V) -> bool {
     // For each column, the rows whose first entry is in this column.
     let mut beginning = vec![Vec::new(); rows.len()];
@@ -171,7 +171,7 @@ mod tests {
             for density in [0.1, 0.3, 1.0] {
                 let mut matrix = vec![0.0; n * n];
                 for (place, entry) in matrix.iter_mut().enumerate() {
-                    // Diagonal entries with `place % 3 == 0` may stay 0, to force row exchanges.
+                    // Diagonal entries with `place % 3 == 0` can be 0, which forces row exchanges.
                     if place / n == place % n && place % 3 > 0 || draw(&mut seed).abs() < density {
                         *entry = draw(&mut seed);
                     }

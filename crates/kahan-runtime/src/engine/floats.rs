@@ -31,7 +31,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     #[doc(hidden)]
     fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
-    /// Evaluates a function derived from the field by machine code; returns `false` if it has none.
+    /// Evaluates a function of the field by machine code. Returns `false` if there is none.
     #[doc(hidden)]
     fn has_evaluated(
         _engine: &Engine,
@@ -66,7 +66,7 @@ pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
     #[doc(hidden)]
     type GroupCode: Lanes<Self>;
 
-    /// Selects the machine code for this float type.
+    /// Returns the machine code for numbers of this type.
     #[doc(hidden)]
     fn codes(codes: &Codes) -> &FloatCodes<Self>;
 

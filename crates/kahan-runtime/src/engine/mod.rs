@@ -53,7 +53,7 @@ pub enum MapObject {
     Density,
     /// For the Poisson bracket with this index, the matrix entries above the diagonal.
     Bracket(usize),
-    /// The field f(x), with coefficients that depend on ε evaluated at the map's ε.
+    /// The field f(x). Coefficients that depend on ε are evaluated at the map's ε.
     FieldAtEps,
     /// The Jacobian of [`FieldAtEps`](Self::FieldAtEps), row by row.
     FieldJacobianAtEps,
@@ -124,7 +124,7 @@ pub(crate) struct Stage<T> {
     given: Vec<T>,
 }
 
-/// Iterates over the first half of a palindromic composition's coefficients, with the middle one.
+/// Returns the coefficients of a palindromic composition from the first to the middle one.
 fn distinct_coefficients(
     composition: &Composition,
 ) -> impl ExactSizeIterator<Item = &'static Constant<'static>> {

@@ -51,7 +51,7 @@ impl<V> Default for Scratch<V> {
     }
 }
 
-/// The scratch memory of a thread; `None` during use, and before the first use.
+/// The scratch memory of a thread; `None` before the first use, and while it is taken out.
 pub(super) type ScratchCell<V> = Cell<Option<Box<Scratch<V>>>>;
 
 pub(super) type ScratchKey<V> = &'static LocalKey<ScratchCell<V>>;

@@ -19,7 +19,7 @@ use super::scratch::Workspace;
 #[derive(Debug)]
 pub(crate) struct StepForms {
     first: Step,
-    /// A second formula of the step, for values of ε at which dividing by ε loses accuracy.
+    /// A formula that does not divide by ε, for values of ε at which dividing by ε loses accuracy.
     general: Option<Step>,
     divides_by_eps: bool,
 }
@@ -40,8 +40,8 @@ impl StepForms {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
-    /// Returns whether generated code over V rounds an increment before adding it, instead of
-    /// fusing product and sum; `is_general` says that the step does not divide by ε.
+    /// Returns whether generated code on numbers of type V rounds an increment before adding it; if
+    /// not, it uses a multiply-add. `is_general` says that the step does not divide by ε.
     pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
         is_general && may_divide_by(&V::one())
     }
@@ -63,7 +63,7 @@ pub(crate) struct Step {
     /// and one for the field.
     lines: Vec<Line>,
     couplings: Option<EliminationPattern>,
-    /// For each increment, the indices among the results of its numerator and of 1/denominator.
+    /// For each increment, its numerator and 1/denominator, as indices of results.
     pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
@@ -133,9 +133,9 @@ impl Step {
 
     /// Advances a state by one step.
     ///
-    /// A nonempty `carry` holds the rounding errors of the state. The callback `single` rounds x̃
-    /// to single precision if a step in single precision is computed in double precision. `factor`
-    /// factors A(x,ε); if `factor` returns `false`, partial pivoting is used.
+    /// A nonempty `carry` holds the rounding errors of the state. If states are in single
+    /// precision, but steps are computed in double precision, `single` rounds x̃. `factor` factors
+    /// A(x,ε); if `factor` returns `false`, partial pivoting is used.
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -220,7 +220,7 @@ impl Step {
         outcome.extend(has_value(field.run(of_field, state)).iter());
         matrix.clear();
         if !tables.are_sparse() {
-            // Memory for partial pivoting is reserved now, since later steps must not allocate.
+            // Partial pivoting in later steps must not allocate, so its memory is reserved.
             matrix.reserve(state.len() * state.len());
         }
         entries.clear();

@@ -1,9 +1,9 @@
-//! The common factor of the coordinates after a step, the content gcd(X̃₁, …, X̃_n, W̃), and its
-//! removal.
+//! Divides the integer coordinates of a point after a step by their content, which is the common
+//! factor gcd(X̃₁, …, X̃_n, W̃).
 //!
-//! For integrable maps the content is long, for example two thirds of the digits for the catalog's
-//! system E4. A gcd of such long numbers costs more than the step itself, so [`ContentPredictor`]
-//! predicts the content from earlier steps.
+//! For integrable maps the content is long, for example two thirds of the coordinates' digits for
+//! the catalog's system E4. A gcd of such long numbers costs more than the step itself, so
+//! [`ContentPredictor`] predicts the content from earlier steps.
 //!
 //! # Other maps
 //!
@@ -37,18 +37,18 @@ pub(crate) struct PrimitivePoint {
 
 /// The predictor of contents, the gcds of the coordinates of points, along an orbit.
 ///
-/// Let γ be the content of the inverse step: F₋(X) = γX₋ for the inverse map F₋, the point X and
-/// the previous point X₋. By singularity confinement, a prime that divides a content also divides γ
-/// a few steps earlier. This number of steps, the lag, is constant along an orbit.
+/// Let F₋ be the inverse map, X a point and X₋ the previous point. Then F₋(X) = γX₋ for an integer
+/// γ. By singularity confinement, a prime that divides a content also divides γ a few steps
+/// earlier. This number of steps, the lag, is constant along an orbit.
 ///
 /// The predictor finds the lag while numbers are short. For long numbers it first tries to divide
 /// the new point by gcd(γ, W̃), where W̃ is the point's last coordinate.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContentPredictor {
     misses: u32,
-    /// The contents γ of the inverse steps from the latest points, most recent first.
+    /// The factors γ in F₋(X) = γX₋ for the latest points X, most recent first.
     behind: VecDeque<UBig>,
-    /// The number of steps back to the γ that predicts a content; `None` while unknown.
+    /// The number of steps from an entry of `behind` to the content that it predicts, if known.
     lag: Option<usize>,
     /// The number of coming steps for which no prediction is tried.
     pause: u32,
@@ -153,7 +153,7 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     None
 }
 
-/// Returns the quotients of the coordinates by a divisor, or a nonzero remainder if there is one.
+/// Divides the coordinates by a divisor. Fails with a nonzero remainder if there is one.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
         let halves = in_halves(point, |half| quotients_in_turn(half, divisor));

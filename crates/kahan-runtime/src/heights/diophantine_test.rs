@@ -14,8 +14,9 @@ pub struct DiophantineTest {
     pub heights: Vec<Heights>,
     /// The growth class of the component whose height rises most.
     pub growth: Growth,
-    /// log(h_n/h_{n−1}) at the last step n, for the heights h₀, h₁, … of the component that is then
-    /// largest; 0 unless growth is exponential. For large n this tends to the Diophantine entropy.
+    /// log(h_n/h_{n−1}) at the last step n, where h is the height of the component that is largest
+    /// at step n; 0 unless growth is exponential. For large n this tends to the Diophantine
+    /// entropy.
     pub entropy: f64,
     /// The reason why the orbit ended before the last step; `None` if all steps were made.
     pub stopped: Option<Stop>,
@@ -27,7 +28,7 @@ impl DiophantineTest {
         DiophantineTest::within(orbit, steps, f64::INFINITY, &|| None, |_| ControlFlow::Continue(()))
     }
 
-    /// Follows an orbit for `steps` steps, or until the clock shows `seconds`.
+    /// Follows an orbit for `steps` steps, or until `clock` shows `seconds` seconds.
     ///
     /// A step that would probably end after `seconds` is not begun. If `clock` returns `None`,
     /// there is no time limit. `each` receives the heights in order, h(x₀) first, and may end the
@@ -44,7 +45,7 @@ impl DiophantineTest {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // `Stop::Digits` has priority, because digits do not depend on the machine.
+            // If both limits are reached, the result is `Stop::Digits`, which no clock affects.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.check_expected_digits().is_ok();
             if step > 0 && (is_late || !goes_on) {

@@ -2,9 +2,9 @@
 
 use dashu_int::IBig;
 
-/// Solves M x = r, where `rows` are the rows of the n×(n+1) matrix (M | r). Returns X₁ … X_n and W,
-/// where xᵢ = Xᵢ/W and |W| = |det M|, or zeros if det M = 0. Intermediate numbers have at most n
-/// times the digits of an entry.
+/// Solves M x = r, where `rows` are the rows of the n×(n+1) matrix (M | r). Returns X₁, …, X_n and
+/// W with xᵢ = Xᵢ/W and |W| = |det M|, or only zeros if det M = 0. Intermediate numbers have at
+/// most n times the digits of an entry.
 pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
     let n = rows.len();
     let mut last_pivot = IBig::ONE;

@@ -13,9 +13,9 @@ use std::fmt;
 /// For 4 ≤ N < 8, the class is *exponential* if it is not bounded, and if the last three ratios
 /// h_n/h_{n−1} are at least 1.5 and agree within 5 %.
 ///
-/// For N ≥ 8, divide the last heights into four groups of ⌊N/4⌋, and take the mean of each group.
-/// Let d₁, d₂, d₃ be the first differences of these means, and s₁, s₂ the second differences. If
-/// d₁, d₂, d₃ > 0, the first true row gives the class:
+/// For N ≥ 8, the last 4⌊N/4⌋ heights are divided into four groups of equal length. Let d₁, d₂, d₃
+/// be the first differences of the groups' means, and s₁, s₂ the second differences. If all dₖ are
+/// positive, the first true row gives the class:
 ///
 /// | class | condition |
 /// |---|---|
@@ -28,7 +28,7 @@ use std::fmt;
 /// In all other cases the class is *undecided*.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// h_n is bounded: the orbit is periodic, or a fixed point.
+    /// h_n is bounded: the orbit is periodic, possibly with period 1.
     Bounded,
     /// h_n ~ log n.
     Logarithmic,

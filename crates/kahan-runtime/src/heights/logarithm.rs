@@ -33,7 +33,7 @@ pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
 /// Returns the number of decimal digits of m > 0; `logarithm` is log m.
 pub(crate) fn decimal_digits(m: &UBig, logarithm: f64) -> u64 {
     let digits = logarithm / LN_10;
-    // Near an integer, rounding could give the wrong count, so m is compared with the power of ten.
+    // If `digits` is nearly an integer, rounding could err, so m is compared with a power of ten.
     let nearest = digits.round();
     if (digits - nearest).abs() > 1e-9 * nearest.max(1.0) {
         return digits.floor() as u64 + 1;

@@ -18,7 +18,7 @@ use super::integers::{
 };
 use super::split::Splits;
 
-/// An error: the field divides by zero at these values of the parameters.
+/// The error that the field divides by zero at these values of the parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndefinedField;
 
@@ -32,8 +32,8 @@ pub struct ProjectiveMap {
 
 #[derive(Clone, Debug)]
 enum Formula {
-    /// The reduced map, with numerators N₁ … N_n and a denominator D that has a monomial factor m.
-    /// The plan computes N₁ … N_n and D/m, then the denominator of the inverse map.
+    /// The reduced map, with numerators N₁ … N_n and a denominator D that `monomial` divides. The
+    /// plan computes N₁ … N_n and D/`monomial`, then the denominator of the inverse map.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
     /// The plan of the entries of A and of b, which are forms of degree one.
     Elimination(Plan),
@@ -117,7 +117,7 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// Makes one step, and divides out the common factor that long `factors` gcd(Xᵢ, W) imply.
+    /// Makes one step. Divides out a common factor if gcd(Xᵢ, W), listed in `factors`, is long.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {
@@ -161,7 +161,7 @@ impl Values<'_> {
             .fold(at_eps, |polynomial, (k, value)| polynomial.substitute(symbols.parameter(k), value))
     }
 
-    /// Returns the polynomials xᵢd + 2εnᵢ and d as forms of one degree; x̃ = x + 2εn/d is the map.
+    /// For a map x̃ = x + 2εn/d, returns xᵢd + 2εnᵢ and d, made homogeneous of one degree.
     fn forms(&self, map: &RationalMap) -> Vec<Polynomial> {
         let denominator = self.put_into(&map.reduced.denominator);
         let two_eps = &self.eps + &self.eps;

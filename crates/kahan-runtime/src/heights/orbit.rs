@@ -156,7 +156,7 @@ impl HeightsOrbit {
     }
 
     /// Returns an error if the next point's coordinates are expected to have more than twice the
-    /// allowed digits. Less clear cases are decided after the step.
+    /// allowed digits. A smaller excess is found only after the step.
     pub(super) fn check_expected_digits(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
@@ -193,8 +193,8 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
-        // Let X/W be in lowest terms and σ = s/t. Then gcd(s, W)·gcd(t, X) divides numerator and
-        // denominator of σX/W = sX/(tW).
+        // Let X/W be in lowest terms and σ = s/t. Then σX/W = sX/(tW), and the greatest common
+        // factor of sX and tW is gcd(s, W)·gcd(t, X).
         let lost = short_gcd(&above, &weight) * short_gcd(&below, &x);
         let larger = (&above * x).max(&below * weight) / lost;
         let logarithm = natural_logarithm(&larger);

@@ -33,8 +33,8 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
     }
     let is_long = weight.bit_len() >= THREADED_GCD_BITS && threads::available() > 1;
     if parts.len() > 1 && is_long {
-        // Let W be the product of the factors B in `parts`. The product of all gcd(B, ∏Xᵢ) divides
-        // W, and is a multiple of each gcd(Xᵢ, W).
+        // Let W = ∏ B over the factors B in `parts`. Each gcd(Xᵢ, W) divides ∏ gcd(B, ∏Xᵢ), which
+        // divides W.
         let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
         let shares = in_halves(parts, |parts| parts.iter().map(share).collect::<Vec<UBig>>());
         return each_with(x, weight, &shares.iter().flatten().product());

@@ -15,7 +15,7 @@ pub const LARGEST_DIMENSION: usize = 8;
 /// [`Map::as_padded_kahan_map`].
 pub type Padded<T> = Interpreted<T, LARGEST_DIMENSION>;
 
-/// An error: the field has more variables than [`LARGEST_DIMENSION`].
+/// The error that a field has more variables than [`LARGEST_DIMENSION`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnsupportedDimension(
     /// The number of variables.

@@ -153,7 +153,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 
 type Registers<T> = SmallVec<[T; 64]>;
 
-/// Returns the resized registers as a slice, so that their place in memory is looked up once.
+/// Returns the resized registers as a slice, so that the vector's pointer is read only once.
 #[inline]
 fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
     registers.resize(size, T::zero());

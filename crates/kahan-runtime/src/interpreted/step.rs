@@ -11,7 +11,7 @@ use super::{Interpreted, Registers, sized};
 
 /// The step of an [`Interpreted`] system at one ε, with the constants of the step.
 ///
-/// The associated constant `COST` is the cost of elimination; use [`Interpreted::cost`] instead.
+/// `COST` is always the cost of elimination. [`Interpreted::cost`] returns the actual cost.
 #[derive(Clone, Debug)]
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,

@@ -10,7 +10,7 @@ use crate::ParameterError;
 pub enum LatticeError {
     /// The requested number of sites is 0.
     NoSites,
-    /// A parameter is unknown, missing, given twice, or not finite, or the field divides by zero.
+    /// A parameter is unknown, missing, given twice or not finite, or causes a division by zero.
     Parameter(
         /// The error in the parameters.
         ParameterError,

@@ -1,8 +1,8 @@
 //! Families read at run time, as maps of chains with any number of sites.
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
-//! and parameters. Out: steps in `f64` with the bits of compiled families, except in long chains
-//! whose stencil is not in the solver's [`StencilMenu`]; these are eliminated as a whole.
+//! and parameters. Out: steps in `f64` with the bits of compiled families. Bits differ in long
+//! chains with a stencil that [`StencilMenu`] lacks, which are eliminated as a whole.
 
 mod at;
 mod error;
@@ -42,7 +42,7 @@ struct LatticeCode {
     literals: Vec<Literal>,
     /// The program that computes the field, one result for each array, and then the rows of A(x,ε).
     rows: Program,
-    /// The program that computes the densities of the integrals, then of the Hamiltonian.
+    /// The program that computes a site's contribution to each integral, then to the Hamiltonian.
     sums: Program,
     /// The indices, among the entries of the rows of A at a site, of those that may differ from 0.
     entries: Vec<usize>,

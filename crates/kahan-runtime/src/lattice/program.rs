@@ -38,7 +38,7 @@ struct Instruction {
     places: [OperandOffset; 3],
 }
 
-/// The offset of an operand in memory: `numbers` + `registers` × (width of the lanes).
+/// The offset of an operand in memory: `numbers` plus `registers` times the number of lanes.
 #[derive(Clone, Copy, Debug, Default)]
 struct OperandOffset {
     numbers: usize,
@@ -58,7 +58,7 @@ enum Kind {
     SubtractProduct,
 }
 
-/// An operand. Sites are counted from the first site of the stencil.
+/// An operand. A `site` is an offset from the first site of the stencil.
 #[derive(Clone, Copy, Debug)]
 enum Operand {
     Constant(usize),
@@ -171,7 +171,7 @@ impl Program {
         self.registers * SITES_PER_INSTRUCTION + index * (SITES_PER_INSTRUCTION + 2 * self.reach * f64::MOST)
     }
 
-    /// Returns the memory for [`SITES_PER_INSTRUCTION`] sites, counted in widest SIMD registers.
+    /// Returns the size of the memory for [`SITES_PER_INSTRUCTION`] sites, in the widest registers.
     pub(super) fn registers_abreast(&self, constants: usize) -> usize {
         self.place(Operand::Constant(constants)).numbers.div_ceil(f64::MOST)
     }

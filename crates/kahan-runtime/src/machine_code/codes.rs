@@ -19,7 +19,7 @@ const CAN_RUN: bool = cfg!(feature = "jit");
 /// The number of steps that a field makes before the code of an elimination is compiled. Compiling
 /// pays after some 300 steps for 9 dense variables, and after 7000 for 50 sparse ones.
 const STEPS_BEFORE_CODE: u64 = 256;
-/// A step of k times this number of operations is compiled after [`STEPS_BEFORE_CODE`] + k steps.
+/// Compilation of an elimination waits one step longer per this many operations.
 const OPERATIONS_A_STEP: u64 = 8;
 
 /// A table of compiled code; keys are kinds of steps, a value is `None` if compilation failed.

@@ -28,7 +28,7 @@ struct GuardNotes {
     /// Whether the rounding errors of products are computed by fused multiply-adds.
     fuses: bool,
     of_sizes: Vec<Double>,
-    /// The high parts of pairs that are known to be far from overflow and underflow.
+    /// The high parts of pairs whose sizes are known to be far from overflow and underflow.
     moderate: Vec<Double>,
 }
 
@@ -48,8 +48,7 @@ pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) 
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::input(Input::State(results.len()));
-        // The checks are summed before `guard` is added, so that their sum does not wait for the
-        // last step.
+        // The checks are summed first, so that only the last sum waits for the previous step.
         let noted = GUARD_NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
         Some(results)
@@ -149,7 +148,7 @@ impl Pair {
         let reciprocal = Double::number(1.0) / divisor.high;
         note_moderate(divisor.high, reciprocal);
         let is_ordinary = self.high.literal().is_some_and(|value| {
-            // A quotient of such a dividend is far from overflow, and may be a dividend again.
+            // The quotient of a constant in this range is far from overflow, and a safe dividend.
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {

@@ -7,7 +7,7 @@ use crate::engine::RuntimeFloat;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct StepKind {
-    /// The precision in which states are stored, together with that in which steps are computed.
+    /// The precision of stored states, and the precision in which steps are computed.
     pub(crate) precision: Precision,
     pub(crate) compensated: bool,
     /// Whether the step uses the formula that is valid for every scalar and every ε.

@@ -84,8 +84,8 @@ impl StepKind {
         })
     }
 
-    /// Returns whether a step by elimination can be compiled. Double-double, and more than
-    /// [`MOST_OPERATIONS`] operations, prevent this.
+    /// Returns whether a step by elimination can be compiled: not in double-double, and not with
+    /// more than [`MOST_OPERATIONS`] operations.
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
             && self.precision != Precision::DoubleDouble

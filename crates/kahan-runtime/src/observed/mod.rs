@@ -32,8 +32,8 @@ pub struct ObservationRequest<'a> {
     pub exponents: usize,
     /// The bound on |xᵢ| beyond which an orbit has escaped and ends; `None` for no bound.
     pub escape: Option<f64>,
-    /// The relations that define the added variables of a lifted field, if tangent vectors are in
-    /// the original variables.
+    /// The relations that define the added variables of a lifted field. If given, tangent vectors
+    /// are in the original variables.
     pub relations: Option<&'a dyn Relations>,
 }
 

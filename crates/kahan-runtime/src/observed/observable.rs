@@ -18,13 +18,13 @@ pub(super) struct ObservableInfo {
     is_logarithmic: bool,
 }
 
-/// The items for each of which an observable has columns.
+/// An observable has columns for the orbit as a whole, or for each object of one kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ColumnScope {
     Orbit,
     Variables,
     Integrals,
-    /// The numbers from 1 to the number of variables.
+    /// Each number from 1 to the number of variables, as for Lyapunov exponents.
     Numbers,
 }
 
@@ -120,8 +120,8 @@ impl Observable {
         self.about().name
     }
 
-    /// Returns the name in results: the name in requests, or, if the columns belong to the orbit as
-    /// a whole, the name of the first column.
+    /// Returns the name in results. If there are columns only for the orbit as a whole, this is the
+    /// name of the first column, otherwise the name in requests.
     #[must_use]
     pub fn key(self) -> &'static str {
         let ObservableInfo { name, of, columns, .. } = self.about();

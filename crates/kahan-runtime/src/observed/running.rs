@@ -5,9 +5,9 @@
 //!
 //! # Files
 //!
-//! An observable with an observer of its own is a file in `running/` such as `last.rs`: `ABOUT`
-//! describes the observable, `Own` is the observer's type, `observer` makes an observer, and `seen`
-//! reads its report.
+//! An observable with an observer of its own has a file in `running/`, such as `last.rs`. There,
+//! `ABOUT` describes the observable, `Own` is the type of its observer, `observer` makes an
+//! observer, and the function `seen` reads the observer's report.
 
 use std::ops::ControlFlow;
 
@@ -25,7 +25,7 @@ use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
 
-/// The extremes of each variable and of its rate of change. Their middle is the center of rotation.
+/// The extremes of each variable and of its rate. Their midpoints give the center of rotation.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
@@ -64,8 +64,8 @@ macro_rules! observables {
             }
         }
 
-        /// The observer of one observable. The type `M` finds the extremes for rotations; `B`
-        /// detects escapes.
+        /// The observer of one observable. `M` is the type of the observer that finds the extremes
+        /// for rotations, and `B` the type of the test for escapes.
         enum RunningObserver<'a, T: MachineFloat + EmbedScalar, M, B> {
             $($name($($module::Own<'a, T>)? $($type)?),)*
         }
@@ -166,7 +166,7 @@ observables! {
     Rotation, "The rotation number of each variable, in turns per step.",
         M = at.extremes(), one => {
             *middles = Some(one.report());
-            // This placeholder is replaced after the second pass.
+            // After the second pass, the rotation numbers replace this empty list.
             ObservedValue::Turns(Vec::new())
         },
         ObservableInfo::new("rotation", ColumnScope::Variables, &[
@@ -241,8 +241,8 @@ where
         }
     }
 
-    /// Shows a burst of consecutive points to one observable after the other, for all orbits at
-    /// once.
+    /// Shows a burst of consecutive points of all orbits to the observers, one observable after the
+    /// other.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let Some(first) = &group[0] else { return };
         if first.carrier.plane.is_some() {
@@ -316,7 +316,7 @@ pub(super) fn observe_one<T: MachineFloat + EmbedScalar + PartialOrd>(
     let observers = WhileFinite::within(bound, all(at, asked));
     let Followed { report: own, end } = step.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
     let Followed { report: (mut seen, middles), end: seen_end } = own;
-    // If an observer ended the orbit, report its end instead of the end of the loop.
+    // If an observer ended the orbit, the end that it reports is used.
     let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
         // The second pass makes as many steps as the first, or none if the first was stopped.

@@ -1,4 +1,4 @@
-//! Propagates tangent vectors, for a lifted field those of the original variables, along an orbit.
+//! Propagates tangent vectors along an orbit. Those of lifted fields are in original variables.
 //!
 //! Lifting adds variables w = g(x). A tangent vector e of x then corresponds to (e, Dg·e), where Dg
 //! is the Jacobian of g. The space of these vectors, called the plane, is propagated from point to
@@ -29,9 +29,9 @@ pub trait Relations: fmt::Debug + Sync {
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
 }
 
-/// The tangent plane is reset if the error of a propagated derivative exceeds this multiple of the
-/// largest derivative of the same function. If the map preserves the relations, errors are of order
-/// ε².
+/// The tangent plane is reset if a propagated derivative of an added variable has an error above
+/// this multiple of the variable's largest derivative. If the map preserves the relations, errors
+/// are of order ε².
 const LARGEST_DERIVATIVE_ERROR: f64 = 1.0 / 64.0;
 
 #[derive(Clone, Debug)]
@@ -122,7 +122,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
             *largest = largest.max(row.iter().copied().fold(0.0, squares));
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
-            // `largest` is 0 for an added variable that no equation contains; its error is ignored.
+            // An added variable that no equation contains has `largest` = 0, and causes no reset.
             let is_near = error <= LARGEST_DERIVATIVE_ERROR * LARGEST_DERIVATIVE_ERROR * *largest;
             is_far |= *largest > 0.0 && !is_near;
         }
@@ -136,7 +136,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
     }
 }
 
-/// Brings rows to reduced row echelon form; returns `false` if the leading block is singular.
+/// Brings rows to reduced row echelon form; `false` if the square block on the left is singular.
 fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
     for k in 0..rows.len() {
         let better =

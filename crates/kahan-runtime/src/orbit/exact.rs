@@ -1,7 +1,7 @@
 //! Exact orbits. Points are projective integer coordinates; fractions are computed on demand.
 //!
-//! An integral is constant along the orbit. Let N/D be the integral at the point, and p/q at the
-//! first point. The products N q and D p are compared, which is cheaper than reducing N/D.
+//! To test whether an integral is constant, let N/D be its value at the point, and p/q its value at
+//! the first point. The products N q and D p are compared, which costs less than reducing N/D.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
@@ -21,7 +21,7 @@ pub struct ExactOrbit {
 }
 
 impl Map {
-    /// Begins the orbit of a first point in exact numbers, at ε, half the time step.
+    /// Begins the exact orbit from `start` at ε, half the time step.
     ///
     /// # Errors
     /// [`DimensionError`] if `start` does not have one entry for each variable.
@@ -30,7 +30,7 @@ impl Map {
         let (system, parameters) = (self.field().system(), self.parameters());
         let map = match &self.field().derived().map {
             map @ Some(_) => ProjectiveMap::of(system, map.as_ref(), parameters, eps),
-            // If there are many variables, `derived` contains no rational map.
+            // Fields of many variables have no rational map in `derived`, so it is derived here.
             None => ProjectiveMap::new(system, parameters, eps),
         };
         let map = map.expect("a map is at parameters where its field is defined");

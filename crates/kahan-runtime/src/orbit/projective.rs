@@ -48,8 +48,8 @@ macro_rules! compile_for {
 compile_for!(f32, f64, Dd, BigRational);
 
 impl Map {
-    /// Begins the orbit through poles of a first point, at ε, half the time step. Each number is
-    /// rounded once; coordinates that `start` lacks are 0.
+    /// Begins the orbit from `start`, which passes through poles, at ε, half the time step. Each
+    /// number is rounded once; coordinates that `start` lacks are 0.
     ///
     /// # Errors
     /// [`UnsupportedDimension`] if the field has more than [`LARGEST_DIMENSION`] variables.

@@ -67,10 +67,10 @@ fn has_root_outside(polynomial: &Polynomial) -> bool {
         return true;
     }
     let Some(mut rest) = polynomial.checked_div(&shared) else { return false };
-    // The test of Schur and Cohn: the remaining factor has no root on the circle. Up to sign, the
-    // product of its roots is its constant coefficient over its leading one. If the absolute value
-    // of this quotient is at least 1, a root lies outside. Otherwise, by Rouché's theorem, the next
-    // polynomial has as many roots outside, and one degree less.
+    // This is the test of Schur and Cohn for a polynomial without roots on the circle. The product
+    // of all roots has the absolute value |last/leading|. If this is at least 1, a root lies
+    // outside. Otherwise, by Rouché's theorem, the polynomial that replaces `rest` has as many
+    // roots outside.
     while rest.degree() > 0 {
         let leading = rest.coefficient(&Monomial::power(Z, rest.degree()));
         let last = rest.coefficient(&Monomial::one());
@@ -97,7 +97,7 @@ mod tests {
         let of = |coefficients: &[i64], below: i64| {
             polynomial(&coefficients.iter().map(|c| Rational::new(*c, below)).collect::<Vec<_>>())
         };
-        // Each polynomial is paired with whether it has roots inside, on, and outside the circle.
+        // The flags tell whether a polynomial has roots inside, on, and outside the circle.
         let factors = [
             (of(&[0, 1], 1), [true, false, false]),
             (of(&[-1, 2], 2), [true, false, false]),

@@ -1,7 +1,7 @@
 //! Periodic points of run-time maps, with exact proofs for rational cycles.
 //!
-//! In: a cycle that [`kahan_dynamics::periodic`] found in floats, by traits that are implemented
-//! here. Out: a cycle of fractions near it ([`rational`]), and its stability ([`circle`]).
+//! In: a cycle in floats, which [`kahan_dynamics::periodic`] found. Out: a cycle of fractions near
+//! it ([`rational`]), and its stability ([`circle`]).
 
 mod circle;
 mod rational;

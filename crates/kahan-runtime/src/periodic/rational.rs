@@ -32,8 +32,8 @@ pub struct RationalCycle {
 }
 
 impl RationalCycle {
-    /// Returns the cycle without one multiplier 1 for each of `integrals` independent integrals.
-    /// The other multipliers describe perturbations that keep these integrals constant.
+    /// Removes one multiplier 1 from the cycle for each of `integrals` independent integrals. The
+    /// other multipliers describe perturbations that keep these integrals constant.
     #[must_use]
     pub fn on_leaf(self, integrals: usize) -> Self {
         let own = &Polynomial::variable(Z) - &Polynomial::one();

@@ -99,7 +99,7 @@ fn a_cycle_between_fractions_is_not_taken_for_one_of_fractions() {
 
 #[test]
 fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
-    // In y and z the map is linear; its matrix differs between the points of the cycle in x.
+    // The map is linear in (y, z). Its matrix depends on x, so it changes along the cycle.
     let text = "xdot = x^2 + x + 1; ydot = x*z + y; zdot = x*y/2 - 2*z - y;";
     let map = Field::parse(text).unwrap().map().unwrap();
     let at = map.at(1.0);
@@ -173,8 +173,9 @@ fn has_turns(branch: &Branch, expected: &[(BranchChange, f64, f64)]) -> bool {
 
 #[test]
 fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
-    // At ε = 2, let m and 1/m be the multipliers across the plane x = p = 0. Then m + 1/m − 2 = (11
-    // − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)). The multipliers leave the circle at a = 11/8.
+    // At ε = 2, let m and 1/m be the multipliers transverse to the plane x = p = 0. Then m + 1/m −
+    // 2 = (11 − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)). The multipliers leave the circle at a =
+    // 11/8.
     let field = Field::parse(HENON_HEILES).unwrap();
     let map = |a: f64| field.with([("a", a)]).unwrap().at(2.0).by(Some(0));
     let start = cycle_of_three(&Rational::from(2))[0].each_ref().map(Rational::to_f64);
@@ -201,7 +202,7 @@ fn the_lorenz_system_changes_where_the_flow_does() {
         let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
         assert!(has_turns(&branch, &[(BranchChange::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
-    // At r = 1 the other two equilibria meet at the origin, where their branch has a fold.
+    // At r = 1 the branch of the other two equilibria has a fold, as they meet at the origin.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (BranchChange::ThroughCircle, 470.0 / 19.0, 1e-9);

@@ -1,4 +1,4 @@
-//! Heights of any field: tests orbits against rational arithmetic, growth, poles and bounds.
+//! Tests of heights for any field: comparison with rational arithmetic, growth, poles and bounds.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;

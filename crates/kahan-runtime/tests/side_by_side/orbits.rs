@@ -56,7 +56,7 @@ fn agree<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], orbits: usize, what: 
 fn orbits_of_one_map_are_those_that_each_is_alone() {
     for (field, map) in maps() {
         for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
-            // Fields of many variables are interpreted, so fewer orbits are followed.
+            // Steps of many variables are slow, so fewer orbits are compared.
             for orbits in if field.variables().len() > 4 { &[3][..] } else { &COUNTS } {
                 let orbits = *orbits;
                 let what = (field.variables(), composition, orbits);

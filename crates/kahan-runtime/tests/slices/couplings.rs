@@ -1,4 +1,4 @@
-//! Compares steps of random fields of up to 200 variables with partial pivoting.
+//! Compares steps of random fields of up to 200 variables with solutions by partial pivoting.
 
 use kahan_runtime::Field;
 
@@ -6,13 +6,13 @@ use super::support::Random;
 
 #[derive(Clone, Copy, Debug)]
 enum Kind {
-    /// Each variable depends on this number of arbitrary variables.
+    /// Each variable depends on this number of randomly chosen variables.
     Anywhere(usize),
     /// Variable i depends on this number of variables with indices up to i.
     Triangular(usize),
     /// The first variable depends on all others, and all others depend on the first.
     Arrow,
-    /// Each variable depends on neighbours around a ring.
+    /// Each variable depends on this number of neighbours on each side, around a ring.
     Ring(usize),
     All,
 }

@@ -172,7 +172,7 @@ fn gradients_say_what_does_not_fit_and_how_orbits_end() {
     assert_eq!(error.to_string(), expected);
     let error = at.gradient(&[0.5], NonZeroU64::MIN, &[1.0; 2], GO_ON).unwrap_err();
     assert_eq!(error.to_string(), "the state has 1 entry; give 2, one a variable");
-    // Since 1/x falls by 2ε = 1/2 in each step, the second step is at the pole 1 − 2εx = 0.
+    // From x = 1, each step lowers 1/x by 2ε = 1/2, so the second step meets the pole 1 − 2εx = 0.
     let at_pole = at.gradient(&[1.0, 1.0], NonZeroU64::MIN, &[1.0; 8], GO_ON).unwrap();
     assert_eq!((at_pole.report, at_pole.end), (None, End::Range(1)));
     let none = at.gradient(&[1.0, 1.0], NonZeroU64::MIN, &[], GO_ON).unwrap().report.unwrap();

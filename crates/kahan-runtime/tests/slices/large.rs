@@ -93,8 +93,8 @@ fn slices_have_the_step_with_a_promise() {
     assert!(self::map(&chain(3)).try_step(&[1.0; 4], 0.1, &mut [0.0; 3]).is_err());
 }
 
-/// The equation is (x̃ − x)/2ε = Q(x,x̃) + ½B(x + x̃) + c. A chain has only the term Q, so the
-/// right side is ¼[f(x + x̃) − f(x − x̃)].
+/// A step satisfies (x̃ − x)/2ε = Q(x,x̃) + ½B(x + x̃) + c. In a chain, B and c are 0, so the right
+/// side is ¼[f(x + x̃) − f(x − x̃)].
 #[test]
 fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     let (map, eps, n) = (map(&chain(60)), 0.01, 60);
@@ -122,8 +122,8 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     assert!((total(&state) - total(&x)).abs() < 1e-11, "{}", total(&state) - total(&x));
 }
 
-/// In column j of the grid, variables start near 1 + 4j. Interior diagonal entries of A are then
-/// near 1 − 8ε, which is 0 at ε = 1/8.
+/// The variables form a grid, and those in column j start near 1 + 4j. Interior diagonal entries of
+/// A are then near 1 − 8ε, which is 0 at ε = 1/8.
 #[test]
 fn a_lattice_without_pivots_on_the_diagonal_obeys_its_linear_equations() {
     const SIDE: usize = 15;

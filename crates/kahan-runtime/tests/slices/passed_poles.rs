@@ -115,7 +115,7 @@ fn a_step_that_jumps_over_the_pole_is_counted_once() {
     assert_eq!(passed(&map(RICCATI, -0.07), &[-1.0], 100), exactly(1));
     // The tenth step is at the pole, and ends the orbit.
     assert_eq!(passed(&map(RICCATI, 0.05), &[1.0], 11), exactly(0));
-    // The flow of x² + 1 is tan t, which has a pole in each interval of length π.
+    // The solution of ẋ = x² + 1 is tan t, which has 32 poles between t = 0 and t = 100.
     assert_eq!(passed(&map("xdot = x^2 + 1;", 0.05), &[0.0], 1000), exactly(32));
 }
 
@@ -171,7 +171,7 @@ fn a_pole_that_is_touched_is_passed_and_one_that_is_missed_is_not() {
     for y in [1e-3, 1e-9, 1e-100, 5e-324] {
         assert_eq!(passed(&complex, &[8.0, y], 1), exactly(0), "{y}");
     }
-    // The denominator is a square.
+    // The denominator is a square, so all its roots are double roots.
     let square = map("xdot = x^2; ydot = 2*x*y;", 0.07);
     assert_eq!(passed(&square, &[1.0, 3.0], 12), exactly(1));
 }

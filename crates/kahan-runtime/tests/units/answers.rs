@@ -53,7 +53,7 @@ fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
 }
 
-/// Panics if results in one of the units differ from those in reference units.
+/// Panics if the results in any of these units differ from those in reference units.
 pub(crate) fn check_units(name: &str, units: &[Unit], answer: impl Fn(Unit, &mut Answers)) {
     let of = |unit| {
         let mut answers = Answers::new(unit);

@@ -1,7 +1,7 @@
 //! Twenty fields in any units of length and time.
 //!
-//! For all numbers q and ν, ẋ = ν·(q·Q(x) + Bx + c/q) is one field, in units 1/q of length and 1/ν
-//! of time.
+//! For all numbers q and ν, ẋ = ν·(q·Q(x) + Bx + c/q) is the same field in other units: 1/q of
+//! length and 1/ν of time.
 
 use kahan_runtime::{Field, Map};
 

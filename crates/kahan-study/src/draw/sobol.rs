@@ -36,8 +36,8 @@ impl Sobol {
             for (m, first) in m.iter_mut().zip(numbers) {
                 *m = first;
             }
-            // For a primitive polynomial of degree s with coefficients aₖ, these numbers satisfy
-            // mᵢ = mᵢ₋ₛ ⊕ 2a₁mᵢ₋₁ ⊕ … ⊕ 2ˢaₛmᵢ₋ₛ, where ⊕ is XOR.
+            // For a primitive polynomial of degree s with coefficients aₖ, the entries of `m`
+            // satisfy mᵢ = mᵢ₋ₛ ⊕ 2a₁mᵢ₋₁ ⊕ … ⊕ 2ˢaₛmᵢ₋ₛ, where ⊕ is XOR.
             for i in degree..BITS {
                 m[i] = m[i - degree];
                 for k in 1..=degree {

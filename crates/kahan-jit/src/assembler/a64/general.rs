@@ -39,7 +39,7 @@ impl GeneralRegister {
     }
 }
 
-/// The kind of two adjacent registers that one instruction saves.
+/// Whether two adjacent registers, saved by one instruction, are vector or general registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pair {
     /// Two vector registers, of which the lower 64 bits are saved.

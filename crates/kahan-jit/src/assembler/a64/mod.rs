@@ -57,7 +57,7 @@ impl Assembler {
 
     /// Begins a function, which saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &FrameNeeds) {
-        /// The most bytes of one allocated instruction: twelve words, and a constant of 16 bytes.
+        /// The most bytes of code of one operation: twelve words, and a constant of 16 bytes.
         const LONGEST: usize = 12 * 4 + 16;
 
         self.is_long = needs.instructions >= REACH / LONGEST - PAGE / 4;
@@ -168,7 +168,7 @@ impl Assembler {
         self.word(word | self.precision() | number(a) << 5 | number(to));
     }
 
-    /// Writes a fused multiply-add into `to`, which is one of its operands.
+    /// Writes a fused multiply-add of `to`, b and c. Its result replaces `to`.
     pub(crate) fn fused(&mut self, operator: Fused, order: FusedOrder, to: Vector, b: Vector, c: Source) {
         let c = self.in_register(c);
         let (x, y, addend) = match order {

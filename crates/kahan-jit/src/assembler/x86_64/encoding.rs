@@ -1,7 +1,7 @@
 //! The encoding of vector instructions: each has a prefix, an opcode and operands.
 //!
 //! VEX prefixes reach 16 registers of up to 256 bits, and EVEX prefixes 32 registers of up to 512
-//! bits. A prefix holds some bits of register numbers, inverted.
+//! bits. Prefixes hold the high bits of register numbers, inverted.
 
 use super::{Assembler, Element, GeneralRegister, Memory, OperandForm, Source, Vector, Width};
 
@@ -66,8 +66,8 @@ fn inverted(number: u8, k: u8) -> u8 {
 
 impl Assembler {
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // ModRM and SIB hold three bits of each register number; these further bits are in the
-        // prefix.
+        // ModRM and SIB hold the lower three bits of register numbers. These are the higher bits of
+        // the operand b, which the prefix holds.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -104,8 +104,8 @@ impl Assembler {
     /// Writes ModRM, SIB and the offset. In EVEX the offset always takes 4 bytes, since EVEX scales
     /// short offsets.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
-        /// In the base field of ModRM, 4 announces a SIB byte, and 5 stands for the program
-        /// counter.
+        /// In the base field of ModRM, 4 means that a SIB byte follows. In mode 0, 5 means that the
+        /// address is relative to the program counter.
         const MORE: u8 = 4;
         const BEHIND_THE_CODE: u8 = 5;
 

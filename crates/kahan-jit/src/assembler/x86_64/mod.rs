@@ -76,7 +76,7 @@ impl Assembler {
         self.ret();
     }
 
-    /// Writes to = a ∘ b for the operator ∘. A scalar sign flip also changes the upper lanes.
+    /// Writes to = a ∘ b for the operator ∘. Scalar `ExclusiveOr` also changes the unused lanes.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,
@@ -90,7 +90,7 @@ impl Assembler {
         self.vector(Opcode::of(self.form, opcode), to, a, b);
     }
 
-    /// Writes a fused multiply-add into `to`, which is one of its operands.
+    /// Writes a fused multiply-add of `to`, b and c. Its result replaces `to`.
     pub(crate) fn fused(&mut self, operator: Fused, order: FusedOrder, to: Vector, b: Vector, c: Source) {
         let order = match order {
             FusedOrder::D132 => 0x98,
@@ -122,7 +122,7 @@ impl Assembler {
         if self.form.element == Element::Single {
             return self.copy(to, from);
         }
-        // A scalar conversion has an extra operand, from which it copies the upper bits.
+        // A scalar conversion copies the upper bits of the result from one more operand.
         let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
         let (rest, rest_of_single) = (rest(from), rest(to));
         let single = OperandForm { element: Element::Single, ..self.form };
@@ -144,7 +144,7 @@ impl Assembler {
         const BREAKPOINT: u8 = 0xcc;
 
         self.pool.append_to(self.bytes, BREAKPOINT, |code, place, target| {
-            // The distance counts from the end of the 4-byte offset.
+            // The processor adds the 4-byte offset to the address of the byte after the offset.
             let distance = target as i32 - (place as i32 + 4);
             code[place..place + 4].copy_from_slice(&distance.to_le_bytes());
         })

@@ -32,7 +32,7 @@ impl<T: num_traits::Float> Guarded<T> {
         let inner = used.next_multiple_of(PAGE);
         let bytes = inner + 2 * PAGE;
         // SAFETY: the operating system chooses unused addresses. The inner pages hold the numbers,
-        // which are initially zero and aligned at both ends.
+        // which are zero. They begin or end at a page, so they are aligned.
         unsafe {
             let flags = MapFlags::PRIVATE | MapFlags::NORESERVE;
             let pages = mmap_anonymous(ptr::null_mut(), bytes, ProtFlags::empty(), flags);

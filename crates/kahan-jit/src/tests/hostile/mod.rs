@@ -196,7 +196,7 @@ impl Case {
         }
     }
 
-    /// Returns `count` numbers, of which all but the first and last thousand are 0 to save time.
+    /// Returns `count` numbers. Only the first and last thousand are not 0, to save time.
     fn numbers<T: num_traits::Float>(&self, draw: &mut Draw, count: usize) -> Guarded<T> {
         const FEW: usize = 1000;
 

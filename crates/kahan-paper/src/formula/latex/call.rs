@@ -9,10 +9,10 @@ use super::{at_least, enclosed, name, write};
 pub(super) const FUNCTIONS: [&str; 14] =
     ["exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "coth", "sech", "sn", "cn", "dn", "atanh"];
 
-/// Calls that are not written as a name with arguments in parentheses.
+/// Calls that are enclosed in parentheses before they are raised to a power.
 pub(super) const OPEN_ENDED: [&str; 5] = ["back", "d", "on", "at", "sum"];
 
-/// Writes a call. The exponent `power` follows the function's name.
+/// Writes a call. The function's name is followed by `power`, an exponent or an empty text.
 pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String {
     let written: Vec<String> = arguments.iter().map(|argument| write(argument).0).collect();
     let list = written.join(", ");

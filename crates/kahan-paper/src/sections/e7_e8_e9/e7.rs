@@ -19,7 +19,7 @@ const SOLUTION: &str = "
     Z(n) := tau*gamma*(4*N(n)^2 - 1)/(2*eps*(4*tau^2 - 1)*N(n))
         + 2*tau^2*beta^2*xi*(4*N(n)^2 - 1)*G0^2/(eps*N(n))*W(n)";
 
-/// The solution in terms of g = g(n) and W = W(n) above. The call `step(F)` is F at the next point.
+/// The formulas of `SOLUTION` with g = g(n), W = W(n). The call `step(F)` is F at the next point.
 const STEP: &str = "
     X := 1/(2*eps*N); Y := tau*beta/(2*eps*N)*g*G0;
     Z := tau*gamma*(4*N^2 - 1)/(2*eps*(4*tau^2 - 1)*N) + 2*tau^2*beta^2*xi*(4*N^2 - 1)*G0^2/(eps*N)*W;
@@ -32,7 +32,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y*(N + 1 - xi/2)/(N + xi/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + 2*xi*Y*next(Y)
 ";
 
-/// Claims about the solution. Names that end in `.step` mark claims about one step from any point.
+/// Claims about the solution. Those named `….step` hold for one step from an arbitrary point.
 const SOLUTIONS: &str = "
 x | (ss), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 y | (ww), solution y_n |

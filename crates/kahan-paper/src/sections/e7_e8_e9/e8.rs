@@ -21,7 +21,7 @@ const SOLUTION: &str = "
     solution(n, prefactor) := tau*(4*n*(n + 2*tau)*(beta^2*tau + beta + gamma) + 4*tau^2*gamma - gamma)
         /(2*eps*(4*tau^2 - 1)*N(n)) - prefactor*(4*N(n)^2 - 1)/(2*eps*N(n))*V(n)";
 
-/// The solution in terms of U = U(n) and V = V(n) above. The call `step(F)` is F at the next point.
+/// The formulas of `SOLUTION` with U = U(n), V = V(n). The call `step(F)` is F at the next point.
 const STEP: &str = "
     N := n + tau; X := 1/(2*eps*N); Y := (tau*beta - U)/(2*eps*N);
     Z := tau*(4*n*(n + 2*tau)*(beta^2*tau + beta + gamma) + 4*tau^2*gamma - gamma)/(2*eps*(4*tau^2 - 1)*N)
@@ -36,7 +36,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y - 1/(N + 1/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + Y + next(Y) + 2*Y*next(Y)
 ";
 
-/// Claims about the solution. Names that end in `.step` mark claims about one step from any point.
+/// Claims about the solution. Those named `….step` hold for one step from an arbitrary point.
 const SOLUTIONS: &str = "
 x | (b12), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 U | U_n as a sum | U(0) = 0; U(n + 1) = U(n) + 1/(N(n) + 1/2); U(4) = sum(j, 0, 3, 1/(j + tau + 1/2))

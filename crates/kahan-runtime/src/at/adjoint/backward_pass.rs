@@ -10,7 +10,7 @@ use super::Gradient;
 use super::terms::Terms;
 
 /// If solving with the transpose of A enlarges the gradient by more than this factor, det A is
-/// nearly 0, and the result is not used.
+/// nearly 0, and dual numbers are used instead.
 const LARGEST_GROWTH: f64 = 1024.0;
 
 pub(super) struct BackwardPass<'a, T: RuntimeFloat> {
@@ -86,7 +86,7 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
             self.take_by_duals(stage, x, gradient);
         } else {
             let half = T::one() / (T::one() + T::one());
-            // For f(x) = c + Bx + Q(x,x), the polarised field at (x, x̃) is c + ½Bx + ½f′(x)x̃.
+            // For f(x) = c + Bx + Q(x,x), c + ½B(x + x̃) + Q(x,x̃) equals c + ½Bx + ½f′(x)x̃.
             let mut along = terms.along_linear(x, mu);
             gradient.start.copy_from_slice(mu);
             for (((i, j), before), behind) in solver.entries().iter().zip(&*before).zip(&*behind) {

@@ -38,8 +38,8 @@ use crate::{DimensionError, End, Follow, Followed, MapAt, RuntimeFloat};
 
 use backward_pass::BackwardPass;
 
-/// The derivatives of a function of an orbit with respect to its start, the parameters and ε; made
-/// by [`MapAt::gradient`].
+/// The derivatives of a function of an orbit with respect to the orbit's first point, the
+/// parameters and ε; made by [`MapAt::gradient`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient<T> {
     /// The derivatives with respect to the coordinates of the start.
@@ -132,7 +132,7 @@ impl<T: RuntimeFloat> MapAt<T> {
                     return Ok(Followed { report: None, end: End::Stopped(left) });
                 }
             }
-            // Separate sums for the segments between checkpoints lose fewer digits.
+            // A single sum over all segments between checkpoints would lose more digits.
             let mut part = Gradient::zero(0, total.parameters.len());
             std::mem::swap(&mut part.start, &mut total.start);
             let mut told = left;
@@ -152,8 +152,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(Followed { report: Some(total), end })
     }
 
-    /// Replaces `x` by the last state of the orbit. Returns the states after 0, `length`,
-    /// 2·`length`, … steps, and how the orbit ended.
+    /// Replaces `x` by the last state of the orbit. Returns every `length`-th state, beginning with
+    /// the first, and how the orbit ended.
     fn checkpoints(
         &self,
         x: &mut [T],

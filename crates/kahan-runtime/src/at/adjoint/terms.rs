@@ -17,12 +17,12 @@ type States = [Option<usize>; 2];
 #[derive(Debug)]
 pub(super) struct Terms<T> {
     entries: Vec<(T, usize)>,
-    /// The linear terms k·x of all entries of f′: the index of the state x, and k.
+    /// The linear terms k·x of f′, grouped by entry of f′: the index of the state x, and k.
     slopes: Vec<(usize, T)>,
     /// The constant and linear terms of f: component, state if any, and coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
-    /// The terms whose coefficients depend on parameters: component, states, and the end of the
-    /// term's derivatives in `by_parameters`.
+    /// The terms whose coefficients depend on parameters: component, states, and the index in
+    /// `by_parameters` at which the term's derivatives end.
     varying: Vec<(usize, States, usize)>,
     /// The derivatives of the coefficients in `varying`: the index of the parameter, and the
     /// number.
@@ -67,7 +67,7 @@ impl Coefficient {
     }
 }
 
-/// Returns the coefficients of a polynomial, by the states that they multiply.
+/// Returns the coefficients of a polynomial. Each has the states that it multiplies as key.
 fn coefficients(
     polynomial: &Polynomial,
     symbols: &Symbols,
@@ -151,8 +151,8 @@ impl<T: RuntimeFloat> Terms<T> {
         })
     }
 
-    /// For each parameter a, adds 2·`scale` times the scalar product of `mu` and ∂q(x,y)/∂a to
-    /// `sums`, where q is the polarised field.
+    /// For each parameter a, adds 2·`scale`·(`mu` · ∂q(x,y)/∂a) to its entry of `sums`, where
+    /// q(x,x̃) = (x̃ − x)/2ε is the polarised field.
     pub(super) fn add_by_parameters(&self, scale: T, [x, y]: [&[T]; 2], mu: &[T], sums: &mut [T]) {
         let mut first = 0;
         for (i, states, end) in &self.varying {
