@@ -124,7 +124,7 @@ fn an_orbit_ends_where_it_escapes_from_a_bound_that_was_asked_for() {
     assert_eq!((observed.end, &json!(observed)["escaped"]), (End::Complete, &json!(13)));
 }
 
-/// After a transient, observations equal those from the point where the transient ends.
+/// After a transient, observations equal those of an orbit that starts where the transient ends.
 #[test]
 fn a_transient_is_not_observed() {
     let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");

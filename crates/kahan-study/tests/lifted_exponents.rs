@@ -9,7 +9,7 @@ use kahan_study::{
     Unwatched,
 };
 
-/// A function (t, x, v) ↦ (f, f′v).
+/// Maps time t, state x and tangent vector v to f(t, x) and f′v, for the equation ẋ = f(t, x).
 type Field = fn(f64, &[f64], &[f64]) -> (Vec<f64>, Vec<f64>);
 
 struct Case {

@@ -198,7 +198,7 @@ fn a_carried_orbit_goes_on() {
     let carried = asked(&turn, &Section { carry: true, ..plain });
     assert_eq!(anew.count(), 6);
     assert_eq!(carried.point(0), anew.point(0));
-    // With `carry`, the orbit for w = 1.5 starts on the section, a full turn before its crossing.
+    // With `carry`, the orbit for w = 1.5 starts on the section, so it crosses again after a turn.
     let [first, next] = [&anew, &carried].map(|found| found.times()[2] * 1.5 / std::f64::consts::TAU);
     assert!((first - 0.75).abs() < 0.01 && (next - 1.0).abs() < 0.02, "{first} {next}");
 }

@@ -151,7 +151,7 @@ fn a_transient_is_not_shown() {
         let found = answer(&lv(), &late);
         let cells = |table: &Table, row: usize| -> Vec<String> {
             let all = table.values.iter().map(|kept| kept.values().cell(row).to_string());
-            // The flow's series restart after the transient, so only 30 characters are compared.
+            // A transient changes where the flow's Taylor series begin, and so the last digits.
             let digits = if plain.method == Method::Flow { 30 } else { usize::MAX };
             all.map(|cell| cell.chars().take(digits).collect()).collect()
         };

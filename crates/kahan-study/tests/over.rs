@@ -42,7 +42,7 @@ impl Rows for Few {
     }
 }
 
-/// A watch that sets the number of threads, and stops after a number of checks.
+/// A watch that sets the number of threads, and stops the work after `looks` calls of `look`.
 struct Hands {
     threads: usize,
     looks: AtomicU64,
@@ -106,7 +106,7 @@ fn a_row_depends_on_its_number_alone() {
     assert_eq!(bits(&found.rows, 0..count as usize), bits(&all, 0..count as usize));
 }
 
-/// In doubles, a cell with an orbit holds the numbers that the single question gives.
+/// With `f64`, a cell with an orbit has the numbers of the same question for this cell alone.
 #[test]
 fn a_cell_has_what_the_question_answers_there() {
     let (study, over) = mixed();

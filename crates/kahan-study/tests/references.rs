@@ -29,8 +29,8 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
     Reference::of(map, &asked, &TrajectoryLimits::default())
 }
 
-/// The flows amplify rounding errors u = 2⁻¹⁰⁶ ≈ 1.2e-32 of double-double by at most 10⁴. The
-/// remaining factor of 8 allows for several rounding errors.
+/// The flows turn a rounding error of double-double, 2⁻¹⁰⁶ ≈ 1.2e-32, into an error of at most
+/// 1.2e-28. Eight times as much is allowed, because there are several rounding errors.
 const AGREEMENT: f64 = 1e-27;
 
 #[test]
@@ -169,8 +169,8 @@ fn steps_that_are_too_long_are_not_taken_for_roundings() {
     assert!(certificate.difference <= 1e-9, "{certificate:?}");
 }
 
-/// The point (1, 2, 3) lies on a separatrix of E6, xz + y² = ½(x² + y² + z²), which leads to a
-/// fixed point. Near this point errors grow like exp(2√7 t), so 32 digits last until t ≈ 13.
+/// The point (1, 2, 3) lies on the separatrix xz + y² = ½(x² + y² + z²) of E6, which leads to a
+/// fixed point. Near the fixed point, errors grow like exp(2√7 t), so 32 digits last until t ≈ 13.
 #[test]
 fn a_separatrix_is_followed_as_far_as_32_digits_last() {
     let refusal = reference(&E6, "e6", &[], &["1", "2", "3"], 20.0, 1e-11).expect_err("too sensitive");

@@ -1,6 +1,6 @@
 //! Crossings and jumps of random fields, planes and starts agree with dense samples of each step.
 //!
-//! This command tests 2000 samples: `cargo test -p kahan-study --test sections -- --ignored`
+//! This command tests 2000 random cases: `cargo test -p kahan-study --test sections -- --ignored`
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -19,7 +19,7 @@ const SAMPLES: usize = 128;
 struct Tally {
     crossings: usize,
     jumps: u64,
-    /// The number of steps whose samples show that the function is continuous and passes through 0.
+    /// The number of steps whose samples show that the section's formula passes through 0 smoothly.
     smooth: usize,
 }
 
@@ -93,7 +93,7 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
     let (mut low, mut high) = (0.0, 1.0);
     for level in 0..4 {
         // With each refinement, the differences between neighbouring samples of a smooth function
-        // fall by a factor of 128, but `most` only by 64.
+        // fall by a factor of 128. A factor of 64 is enough for this test.
         let most = size / 8.0 / 64_f64.powi(level);
         let part = |k: usize| low + (high - low) * k as f64 / SAMPLES as f64;
         let points = (0..=SAMPLES).map(|k| match part(k) {

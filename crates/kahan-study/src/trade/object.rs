@@ -14,7 +14,7 @@ pub(super) enum NeedByName {
     Integrals,
 }
 
-/// Returns the name of a need as users write it in a question: `trajectory` or `integrals`.
+/// Returns a scene's requirement as users write it in questions: `trajectory` or `integrals`.
 #[must_use]
 pub fn need_name(need: Need) -> &'static str {
     match need {

@@ -1,7 +1,7 @@
 //! The measured time of a step of each scheme on this machine, in nanoseconds.
 //!
-//! For an interpreted field, steps of the catalog's compiled system E6 are timed instead. Their
-//! times are multiplied by the ratio of the planned costs of a step of the field and a step of E6.
+//! An interpreted field has no compiled step to time. Its times are those of the compiled system
+//! E6, multiplied by the ratio of the estimated costs of the two systems' steps.
 
 use kahan_core::StepCost;
 use kahan_dynamics::{Need, Precision, Scheme};
@@ -26,14 +26,14 @@ impl Prices {
                 let is_wide = scheme.precision == Precision::DoubleDouble;
                 let steps = TIMED_STAGES / if is_wide { 5 * stages } else { stages };
                 let eps = eps.min(horizon / (2.0 * steps as f64));
-                // The time of a step does not depend on ε, so an ε in the range of `f32` is used.
+                // Step times do not depend on ε, so it is limited to the range of `f32`.
                 let eps = scheme.precision.eps_near(eps.min(f64::from(f32::MAX)), Need::Trajectory);
                 let time = 1e9 * subject.seconds(*scheme, eps, steps) / steps as f64;
                 *least = least.min(time);
             }
         }
-        // A step in single precision may take twice as long if the compiler vectorises it, so its
-        // price is at least that of a step in double precision.
+        // A compiler may vectorise steps in single precision, which can double their time.
+        // So their times are never taken below those in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {
@@ -44,10 +44,10 @@ impl Prices {
         prices
     }
 
-    /// Converts prices measured for a step of cost `measured` to prices for a step of cost `asked`.
+    /// Estimates the times of a step of cost `asked` from the times of a step of cost `measured`.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
-            // A step has hundreds of independent operations, so their number determines its time.
+            // Double-double has hundreds of independent operations, so their number sets the time.
             Precision::DoubleDouble => f64::from(asked.operations) / f64::from(measured.operations),
             _ => asked.cycles() / measured.cycles(),
         };

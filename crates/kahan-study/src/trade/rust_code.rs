@@ -5,7 +5,7 @@ use kahan_dynamics::{Precision, Setting};
 
 use crate::study::Study;
 
-/// Writes the orbit of a setting in Rust, after a `kahan!` block if the field has no type name.
+/// Writes Rust code that computes the orbit. A field without a type name becomes a `kahan!` block.
 pub(super) fn rust_statement(
     study: &Study,
     parameters: &[Rational],

@@ -24,7 +24,7 @@ impl RefinementSearch<'_> {
         self.refine_order(coarsest);
         self.search.set_share(1.0);
         if self.search.best().is_none() {
-            // If no setting was found, schemes that ran out of time get all the remaining time.
+            // No setting was found, so schemes that lacked time may use all the remaining time.
             for (scheme, _) in self.search.trials_mut().take_skipped() {
                 self.refine_steps(scheme, coarsest);
             }
@@ -49,7 +49,8 @@ impl RefinementSearch<'_> {
         if self.search.best().is_none() {
             self.refine_steps(plain(Precision::DoubleDouble, highest), coarsest);
         }
-        // The orders at which `f64` suffers from rounding, so that double-double may be cheaper.
+        // `wide` lists the orders at which rounding errors matter in `f64`, so that double-double
+        // may be cheaper.
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {
@@ -74,8 +75,8 @@ impl RefinementSearch<'_> {
         }
     }
 
-    /// Tries more and more steps of a scheme; if rounding errors matter, also with compensated
-    /// summation. Returns whether rounding errors matter without it.
+    /// Tries more and more steps of a scheme. If rounding errors matter, does so again with
+    /// compensated summation. Returns whether they matter without compensated summation.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let has_felt = self.refine_steps(scheme, coarsest);
         if has_felt && self.tolerance >= scheme.precision.unit() / 8.0 {

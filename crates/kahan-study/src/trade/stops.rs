@@ -9,7 +9,7 @@ const ON_A_PIECE: u32 = 3;
 /// The largest number of pieces that get stops.
 const MOST_PIECES: usize = 2048;
 
-/// Returns those of `steps` ≥ 1 steps, in order, at which an orbit is compared with the reference.
+/// Returns the steps after which an orbit of `steps` ≥ 1 steps is compared with the reference.
 pub(super) fn inspected_steps(reference: Option<&Reference>, eps: f64, steps: u64) -> Vec<u64> {
     let stride = steps.div_ceil(EVEN_STOPS);
     let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();

@@ -1,5 +1,5 @@
-//! Compares long steps by the planned straight-line program, and by elimination with partial
-//! pivoting, with exact rational steps.
+//! Computes long steps by the planned straight-line program and by elimination with partial
+//! pivoting. Compares both with exact rational steps.
 //!
 //! # Bounds
 //!
@@ -166,7 +166,7 @@ fn errors(
         }
         all[steps.len()].push(error(&exact, &linear.eliminated(&values)));
     }
-    // If f′ = 0 nearly everywhere, fewer points than requested were found.
+    // If f′ = 0 nearly everywhere, there are too few points, and the caller skips this size.
     (all[0].len() == points).then(|| all.into_iter().map(Errors::of).collect())
 }
 

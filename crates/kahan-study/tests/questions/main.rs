@@ -1,4 +1,4 @@
-//! Questions as JSON: wrong subjects, and answers with the names that the command's JSON has.
+//! Questions as JSON: wrong subjects are refused, and answers use the names of the command's JSON.
 
 mod claims;
 mod cycles;

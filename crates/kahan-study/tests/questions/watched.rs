@@ -25,7 +25,7 @@ fn findings_are_told_when_they_are_proved() {
     }
 }
 
-/// A watch that asks to stop at each check, and regards a later check as an error.
+/// A watch that asks to stop at each check, and counts the checks.
 struct Ending {
     clock: Clock,
     looks: AtomicU32,

@@ -1,6 +1,6 @@
-//! Tests `Scene::choose` on scenes: one of twenty fields, a random start, time span and tolerance.
+//! Tests `Scene::choose` for twenty fields with random starts, time spans and tolerances.
 //!
-//! The truth is a Taylor series in 32 digits that agrees with a second method to a tenth of the
+//! The reference is a Taylor series in 32 digits that agrees with a second method to a tenth of the
 //! tolerance. Two thousand scenes take minutes: `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test
 //! --release -p kahan-study --test scenes -- --ignored --nocapture`.
 
@@ -61,7 +61,7 @@ where
     Judged { scene: name, outcome }
 }
 
-/// Returns the largest distance from the reference at all steps, and between both ends.
+/// Returns the largest distance from `truth` at the steps, and at the end of `truth`.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: ExtendScalars<f64, N>,
