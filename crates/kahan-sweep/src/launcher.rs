@@ -36,7 +36,7 @@ const RANK_LAUNCHERS: [(&str, &str, &str); 3] = [
     ("MPI", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_SIZE"),
 ];
 
-/// One level of nested launchers: task `index` out of `of` tasks.
+/// The place of this process in one of several nested launchers: task `index` out of `of` tasks.
 #[derive(Clone, Debug)]
 struct LaunchLevel {
     launcher: &'static str,

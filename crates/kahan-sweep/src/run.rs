@@ -164,8 +164,8 @@ struct PartWork {
 }
 
 impl PartWork {
-    /// Adds rows, and updates the journal when it is due. Returns the error of writing the journal
-    /// unless the previous writing failed, too.
+    /// Adds rows, and writes the journal when it is due. If several writes in a row fail, returns
+    /// only the first error.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;

@@ -68,7 +68,7 @@ impl Journal {
     }
 }
 
-/// Returns a hash of plan, version and floating-point mode, which marks the records of a part.
+/// Returns a hash of plan, version and floating-point mode. Records with another hash are skipped.
 fn record_kind(part: &Part<'_>) -> [u8; 8] {
     let digest = Sha256::digest([&part.plan.hash(), VERSION, FLOATS].join("\n"));
     std::array::from_fn(|place| digest[place])

@@ -53,8 +53,8 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
         Err(error) if error.error.kind() == io::ErrorKind::NotFound && results.exists() => {}
         Err(error) => return Err(failed(error.error)),
     }
-    // Removes the temporary files of killed processes. A process that is still merging also loses
-    // its file, and then accepts the existing results.
+    // Removes the temporary files of killed processes, and of processes that are still merging.
+    // The latter then accept the existing results.
     files(folder, TEMPORARY_PREFIX, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }

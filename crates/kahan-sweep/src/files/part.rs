@@ -27,7 +27,7 @@ mod keys {
     pub(super) const FLOATS: &str = "kahan.floats";
     pub(super) const COLUMNS: &str = "kahan.columns";
     pub(super) const SEED: &str = "kahan.seed";
-    /// The key of a part's index. Merged files have neither `PART` nor `CHECKSUM`.
+    /// The metadata key of the index of a part. Merged files have neither `PART` nor `CHECKSUM`.
     pub(super) const PART: &str = "kahan.part";
     pub(super) const CHECKSUM: &str = "kahan.crc32";
 }

@@ -18,7 +18,7 @@ use sha2::{Digest, Sha256};
 #[derive(Clone, Debug)]
 pub struct Plan {
     study: Study,
-    /// The question asked at each point. Drawn axes vary fastest, then the last axis, and so on.
+    /// The question for all points. Random values vary fastest, then the axes from last to first.
     question: Question,
     points: u64,
     /// The number of rows of a part; the last part may have fewer.
@@ -83,7 +83,7 @@ impl Plan {
         select_columns(all, self.places.as_deref())
     }
 
-    /// Returns the plan as canonical JSON, independent of its formatting.
+    /// Returns the plan as canonical JSON, which does not depend on the formatting of the TOML.
     pub fn canonical(&self) -> &str {
         self.canonical.get_or_init(|| self.to_json().to_string())
     }
