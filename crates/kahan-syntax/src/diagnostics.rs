@@ -8,7 +8,7 @@ use std::fmt;
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-/// The rule that a mistake breaks, for tests and tools.
+/// The kind of a mistake, by which tests and tools distinguish mistakes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {

@@ -97,7 +97,7 @@ pub struct Header {
 /// Tokens that only Rust understands, kept as written.
 #[derive(Clone, Debug, Default)]
 pub struct WrittenTokens {
-    /// The lines of the tokens as text.
+    /// The text of the tokens, with one entry for each attribute or line of documentation.
     pub lines: Vec<String>,
     /// The span of the tokens; `None` for documentation in a text.
     pub span: Option<Span>,

@@ -14,7 +14,7 @@ pub(super) struct Cursor<'a> {
     at: usize,
     /// The token that ends the current expression, besides `;`, `,` and closing brackets.
     pub(super) end: ExpressionEnd,
-    /// The name of the site index inside a family. Names other than `i` are reported.
+    /// The name of the index in a family `for i in …`. Names other than `i` are mistakes.
     pub(super) index: Option<&'a str>,
     pub(super) is_lifted: bool,
     /// For each name in the tokens, whether it occurs at least once without `=` directly after it.
@@ -25,7 +25,7 @@ pub(super) struct Cursor<'a> {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum ExpressionEnd {
     Semicolon,
-    /// The first token of the next item. Conditions of a bracket may end there, without `;`.
+    /// The first token of the next item. The conditions of a bracket need no `;` before it.
     Item,
     /// The sign `=`, on the left side of a relation after `when`.
     Equals,

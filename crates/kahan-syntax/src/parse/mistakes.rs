@@ -116,7 +116,6 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
     error(Kind::NotAPolynomial, span.to(cursor.behind()), message, help)
 }
 
-/// Names of analytic functions that solve a differential equation.
 const ANALYTIC_FUNCTIONS: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
 /// Names of analytic functions that `kahan lift` turns into states.
 const LIFTABLE_FUNCTIONS: &str = "sin cos tan asin acos atan sinh cosh tanh exp log ln sqrt cbrt pow";

@@ -1,7 +1,7 @@
 //! Rounds an exact rational to the nearest float.
 //!
-//! Ties go to even, and subnormal results are rounded only once, too. Values at least half an ulp
-//! beyond the largest float become infinite, as in IEEE 754.
+//! Ties go to even. Results are rounded only once, even if they are subnormal. Values at least half
+//! an ulp beyond the largest float become infinite, as in IEEE 754.
 
 use num_bigint::BigUint;
 use num_integer::Integer;
