@@ -1,4 +1,4 @@
-//! Checks every formula of Hone and Petrera's paper by `kahan-paper`, and prints the verdicts.
+//! Uses `kahan-paper` to check every formula of Hone and Petrera's paper, and prints the verdicts.
 //!
 //! The exit status is 1 if a claim fails, and 2 for wrong arguments. `cargo run` in the root
 //! folder builds this program, so it has few dependencies.
