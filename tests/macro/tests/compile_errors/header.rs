@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// The macro itself adds the type parameter.
+// A header must not have type parameters. The macro itself adds one for the scalar type.
 kahan! {
     pub struct Generic<T> { k }
     xdot = -k*x;
@@ -50,7 +50,7 @@ kahan! {
     xdot = -k*x;
 }
 
-// Parameters are public.
+// A parameter must not have a visibility. All parameters are public.
 kahan! {
     pub struct PublicParameter { pub k }
     xdot = -k*x;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// Another word stands for `integral`. The claim G, which uses H, gives no second error.
+// The keyword must be `integral`, not `invariant`. The claim G, which uses H, gives no error.
 kahan! {
     pub struct Invariant;
     xdot = y;
@@ -11,7 +11,7 @@ kahan! {
     integral G = 2*H;
 }
 
-// Another word stands for `bracket`.
+// The keyword must be `bracket`, not `poisson`.
 kahan! {
     pub struct Poisson;
     xdot = y;

@@ -38,7 +38,7 @@ kahan! {
     xdot = -y;
 }
 
-// The lunate epsilon ϵ does not denote half the time step, as `eps` does.
+// Half the time step is called `eps`. The letter ϵ (lunate epsilon) is an unknown name.
 kahan! {
     pub struct GreekHalfStep;
     xdot = y;

@@ -1,4 +1,4 @@
-//! A search that reaches the macro's limit names the command that continues it.
+//! No lift is found within the macro's limit. The error names a command to use instead.
 
 use kahan_core::prelude::*;
 

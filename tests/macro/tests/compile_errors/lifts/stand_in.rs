@@ -19,6 +19,6 @@ fn main() {
     let start = broken.embed(&vector![0.5, 0.0]);
     let next = broken.step(&start, 0.1);
     let _: SVector<f64, 2> = broken.project(&next);
-    // Initial values must be floats.
+    // `embed` takes only `f64` and `f32`, not `Dd`.
     let _ = Exact { g: Dd::from(1.0) }.embed(&vector![Dd::from(0.5), Dd::from(0.0)]);
 }
