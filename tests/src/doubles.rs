@@ -11,7 +11,7 @@ pub fn exact(value: impl Into<f64>) -> Q {
     Q::from_float(value.into()).expect("a finite number")
 }
 
-/// Returns a double; `Q::to_f64` may miss the nearest double by one ulp.
+/// Returns the nearest double, or a double that is one ulp from it.
 #[must_use]
 pub fn float(value: &Q) -> f64 {
     value.to_f64().expect("a rational has a nearby f64")

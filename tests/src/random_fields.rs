@@ -1,7 +1,7 @@
 //! The random fields of `random_systems.rs`, compiled by the macro over ℚ.
 //!
-//! Only the fields in `IN_FLOATS` get steps over floats, because their code takes long to build.
-//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests back_ends` rewrites the file.
+//! Only the fields in `IN_FLOATS` are also compiled over floats, because this takes long.
+//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests back_ends` rewrites `random_systems.rs`.
 
 pub use kahan_judge::random_fields::RandomField;
 use kahan_judge::random_fields::{

@@ -88,7 +88,7 @@ fn exact(values: &[Q], variable: Variable) -> Rational {
     values[usize::from(variable.0)].clone().into()
 }
 
-/// Bounds the error of a step in closed form. Panics if exact results differ from the exact step.
+/// Bounds the error of `step`. Panics if `step`, evaluated exactly, does not give `place.next`.
 fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let input = |variable| exact(values, variable);
     let constants = running_bound::results(&step.constants, &[], unit, input);

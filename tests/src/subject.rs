@@ -96,7 +96,7 @@ pub fn random() -> Vec<Subject> {
     subjects.collect()
 }
 
-/// Checks a law at seeded points of a system with det A ≠ 0.
+/// Checks a law for one system, at seeded points where det A ≠ 0.
 fn at_points(subject: &Subject, seed: u64, law: &impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     const POINTS: usize = 3;
     let mut rationals = Rationals::seeded(seed);

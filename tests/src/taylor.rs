@@ -48,7 +48,7 @@ fn integer<T: Scalar>(n: u32) -> T {
     T::constant(&kahan_core::Constant::integer(i64::from(n)))
 }
 
-/// Returns the largest absolute difference of two components, rounded to `f64`.
+/// Returns the maximum norm of a − b, rounded to `f64`.
 pub fn distance<T: Scalar + Copy, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) -> f64 {
     a.iter().zip(b.iter()).map(|(a, b)| (*a - *b).approximate().abs()).fold(0.0, f64::max)
 }

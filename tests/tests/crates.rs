@@ -1,5 +1,4 @@
-//! Compares the dependencies and builds of the crates with ARCHITECTURE.md, and checks that they
-//! stay within limits.
+//! Compares dependencies of crates with ARCHITECTURE.md, and limits the sizes of builds.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,7 +9,7 @@ use std::{env, fs};
 use kahan_tests::sources::root;
 use serde_json::Value;
 
-/// Dependencies that only some crates may use, with these crates.
+/// Dependencies, each with the only crates that may use it.
 const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
     ("clap", &["kahan-cli"]),
     ("indicatif", &["kahan-cli"]),

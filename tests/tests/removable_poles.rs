@@ -171,8 +171,8 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// Returns a random field with ẋ = u·x·z for every variable x except the last variable z, where u
-/// is a random number. The factor 1 − εu·z cancels in the map.
+/// Returns a random field with last variable z. All other variables x have ẋ = u·x·z with one
+/// random number u. The factor 1 − εu·z cancels in the map.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));

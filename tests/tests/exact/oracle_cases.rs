@@ -78,7 +78,7 @@ fn the_integrals_are_the_oracle_s() {
     let mut compared = 0;
     for name in ["euler", "e1", "e2", "e3", "e4", "e5", "e6"] {
         for case in file(name).entries("cases") {
-            // Only for the Euler top, the paper states no integrals, and `extra_integrals` is used.
+            // The paper states no integrals of the Euler top, so its file has `extra_integrals`.
             let expected: Option<Vector> = if case.mentions("extra_integrals") {
                 case.vector("extra_integrals")
             } else {
@@ -135,7 +135,8 @@ fn the_brackets_are_the_oracle_s() {
             compared[1] += usize::from(case.scalar("c").and(case.matrix("Q")).is_some());
             for back_end in catalog(name, &case.parameters()).back_ends() {
                 assert_eq!(back_end.bracket("P", &x, &eps), case.matrix("P"), "{}", back_end.label());
-                // A case holds c and c·Q, except E1 and E3 at x = 0, where c = 1/x² is undefined.
+                // The file's matrix Q is `c` times the bracket Q. For E1 and E3, c = 1/x² is
+                // undefined at x = 0, where the file has no `c`.
                 if let Some(c) = case.scalar("c") {
                     let times_c = |m: Matrix| m.iter().map(|row| scaled(&c, row)).collect::<Matrix>();
                     assert_eq!(
@@ -259,7 +260,7 @@ fn where_the_oracle_s_determinant_is_zero_every_way_to_step_says_pole() {
             assert_eq!(Some(back_end.matrix(&x, &eps)), point.matrix("A"));
             assert_eq!(Some(back_end.rhs(&x, &eps)), point.vector("b"));
             assert_eq!(back_end.det_matrix(&x, &eps), q(0, 1));
-            // The point is not a removable pole. Generated code also checks that `step` panics.
+            // This pole is not removable. In generated code, `step` and `try_step` must both fail.
             assert_eq!(back_end.step(&x, &eps), None);
             assert_eq!(back_end.jacobian(&x, &eps), None);
             assert_eq!(back_end.det_jacobian(&x, &eps), None);

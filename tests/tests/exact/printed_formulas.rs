@@ -171,7 +171,7 @@ fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
                 let (right, left) = (right.expect("beside the pole"), left.expect("beside the pole"));
                 for i in 0..3 {
                     let slope = (&right[i] - &left[i]) / (q(2, 1) * &small);
-                    // The error of the central difference is at most 10⁶·small², which is `small`.
+                    // The error of the central difference is at most 10⁶·small² = small.
                     let error = slope - &jacobian[i][j];
                     assert!(error < small && -error < small, "{}: entry ({i},{j})", back_end.label());
                 }
@@ -182,7 +182,7 @@ fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
 
 #[test]
 fn e3_steps_where_e9_at_one_has_a_pole() {
-    // E9 keeps the factor 1 + εz that E3 cancels, because ξ is generic when maps are reduced.
+    // The factor 1 + εz cancels for E3, which is E9 at ξ = 1, but not for general ξ.
     let (x, eps) = (numbers("3/2, 1, -2"), q(1, 2));
     for back_end in catalog("e9", &[q(1, 1)]).back_ends() {
         assert_eq!(back_end.step(&x, &eps), None, "{}", back_end.label());

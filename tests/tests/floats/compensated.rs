@@ -125,8 +125,8 @@ fn the_remedies_for_a_badly_rounded_eps_give_the_same_law() {
     let shortened =
         drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short).compensated()));
     let shortened_plain = drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short)));
-    // The variable X = εx at ε = 1 has the same orbit as x at ε. The integral of X is ε² times the
-    // integral of x.
+    // The orbit of X = εx with step 1 is the orbit of x with step ε. The integral of X is ε² times
+    // the integral of x. Here ε is `bad`.
     let of_scaled = |x: &SVector<f64, 3>| top_integral(1.0)(x) / (Dd::from(bad) * Dd::from(bad));
     let scaled = drift(&LONG, of_scaled, |x| {
         let scaled = top(f64::from).orbit(x, bad).scaled().expect("a homogeneous field");

@@ -108,7 +108,7 @@ where
     })
 }
 
-/// Asserts that halving ε divides the error by 2 to the power of the order, far above rounding.
+/// Asserts that halving ε divides the error by 2^order. Rounding errors are too small to matter.
 fn has_its_order<M, const N: usize>(name: &str, map: &M, start: [f64; N])
 where
     M: KahanMap<Dd, N>,

@@ -1,10 +1,10 @@
-//! Mutation tests of code with proofs in comments. A weakening is a deliberate mistake, which must
-//! make a test fail.
+//! Mutation tests of code whose correctness is proved in comments. A weakening is a deliberate
+//! mistake, which must make a test fail.
 //!
 //! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all
 //! weakenings in about twenty minutes, on a copy of the workspace in the target folder. With
 //! `change` instead of `every`, it tries the weakenings of files changed since KAHAN_BASE, and four
-//! others. KAHAN_WEAKENING=WORDS selects weakenings by name or file.
+//! weakenings of other files. KAHAN_WEAKENING=WORDS selects weakenings by name or file.
 
 #![cfg(unix)]
 

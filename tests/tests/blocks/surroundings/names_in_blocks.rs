@@ -47,7 +47,7 @@ kahan! {
     ydot = prepared*x^2;
 }
 
-/// A type with the name of an argument.
+/// A module for the type `x`, which has the name of an argument of generated functions.
 #[allow(non_camel_case_types, reason = "a name to be in the way")]
 pub(super) mod argument {
     kahan_core::kahan! {
