@@ -1,6 +1,6 @@
-//! Does the work of `run.py` in Rust, and prints the seconds and z of the last point.
-//!
-//! Reads `each STEPS`, `last STEPS` or `ensemble TRAJECTORIES STEPS THREADS`.
+//! Does the work of `run.py` in Rust. Each line of the input is `each STEPS`, `last STEPS` or
+//! `ensemble TRAJECTORIES STEPS THREADS`. The answer is the time in seconds, and the coordinate z
+//! of the last point.
 
 use std::error::Error;
 use std::io::stdin;

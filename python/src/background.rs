@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 
 const LOOK: Duration = Duration::from_millis(10);
 const TOLD: Duration = Duration::from_millis(100);
-/// The largest count of numbers that are computed without a check for signals.
+/// Work that computes at most this many numbers runs without a check for signals.
 const SHORT: u64 = 1 << 16;
 /// The stack size of a working thread. Recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;

@@ -143,7 +143,7 @@ impl Field {
         &self.study.parameters()[k]
     }
 
-    /// Returns the map. A parameter without a value gets the first of its values in `first`.
+    /// Returns the map. Parameter k without a given value gets the first value in `first[k]`.
     pub(crate) fn map_with<T: Float>(&self, py: Python<'_>, first: &[Vec<T>]) -> PyResult<Map> {
         if self.study.given().iter().all(Option::is_some) {
             return self.map(py);
@@ -153,7 +153,7 @@ impl Field {
         let values =
             self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
                 let other = first.get(k).and_then(|values| values.first());
-                // No exact number is NaN or infinite, so 1 stands in; callers set the float later.
+                // NaN and infinity are no exact numbers. They become 1 until callers set the float.
                 let exactly =
                     |value: &T| Rational::from_f64(value.approximate()).unwrap_or_else(Rational::one);
                 let other = other.map(exactly);
@@ -226,8 +226,8 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 
 #[pymethods]
 impl Field {
-    /// Reads a field from its name, its text or its coefficients. If `of` is given, takes the field
-    /// `of` at other parameter values, with shared plans and compiled code.
+    /// Reads a field from its name, its text or its coefficients. If `of` is given, returns `of`
+    /// with other parameter values; the two fields share plans and compiled code.
     #[new]
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, fused = false, of = None))]
     fn new(

@@ -160,7 +160,7 @@ impl Field {
         self.stepped_whole(x, eps, out, checked)
     }
 
-    /// Makes a step from each point of a lifted field, given and returned in original variables.
+    /// Makes a step of a lifted field from each point in `x`. Points have only original variables.
     fn stepped_between<'py>(
         &self,
         x: &Bound<'py, PyAny>,
