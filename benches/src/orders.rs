@@ -1,6 +1,6 @@
 //! Compares compositions of order 8 with DOP853, each with the largest tried step or tolerance at
 //! which the error is at most [`ERROR`]. The reference is the composition in double-double, with
-//! 1024 steps from one time at which errors are measured to the next.
+//! 1024 steps between successive times at which errors are measured.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, ExtendScalars};

@@ -26,7 +26,7 @@ pub(crate) struct Worker {
     tasks: Vec<Task>,
 }
 
-/// Builds a process, and returns the path of its program.
+/// Builds the program of a package, and returns its path.
 pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
     let program = env::current_exe().context("the path of this program is unknown")?;
     // The path of the program ends in target/release/program.

@@ -1,8 +1,9 @@
 //! Compares the predicted with the observed growth of errors of a lift's relations.
 //!
-//! All lifts that `kahan lift` considers run at ε = 0.01 to the time 300, and again at ε/8 and ε/64
-//! while relative errors of relations or states exceed 0.05. A lift is bad if they always do, good
-//! at smaller ε if those of relations do at ε = 0.01, and otherwise good.
+//! Lifts that `kahan lift` considers run at ε = 0.01 to the time 300. While a relative error of a
+//! relation or a state exceeds 0.05, they run again, at ε/8 and then at ε/64. A lift is bad if the
+//! last run has such an error. Otherwise it is good, or good at smaller ε if a relation of the
+//! first run has such an error.
 
 use std::fmt;
 

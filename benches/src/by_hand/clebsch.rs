@@ -72,7 +72,7 @@ pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [
     }
 }
 
-/// Computes the new m, apart from the factor 2/D, while the processor divides by the denominator D.
+/// Computes a step. The numerators of m do not need the quotient 2/D, so both are computed at once.
 pub(crate) fn m_beside_p(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);

@@ -1,7 +1,7 @@
 //! Steps that were written by hand, one file for each system, as references for generated code.
 //!
-//! Each function makes a step for given ε and parameters. A step adds an increment to the state,
-//! because integrals are then preserved in long runs. Each file has a step with the fewest
+//! Each function makes a step for given ε and parameters. A step adds an increment to the state, so
+//! that integrals drift less in long runs. Each file has a step with the fewest
 //! operations and a step with the shortest chain of dependent operations. Capital letters are
 //! variables times ε.
 

@@ -14,8 +14,7 @@ const FAST: &str = "fast";
 /// The fast tier with a separate call for each step, as in the stable tier.
 const STEP: &str = "fast, a step at a time";
 
-/// The limits. Each has a tier, the tier of reference, whether the build is native, and the largest
-/// permitted ratio of the times.
+/// The limits: two tiers, `true` for native builds, and the largest permitted ratio of times.
 const LIMITS: [(&str, &str, bool, f64); 3] =
     [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 

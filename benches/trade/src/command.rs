@@ -15,7 +15,7 @@ pub(crate) struct Told {
     /// For each scheme (scalar type, order, compensated or not): the setting with the smallest ε,
     /// and its nanoseconds per unit of simulated time according to the command.
     pub(crate) prices: Vec<(Setting, f64)>,
-    /// The seconds that a fixed loop takes just before or after the command, a measure of speed.
+    /// The seconds of a fixed loop, the smaller of its times before and after the command.
     pub(crate) pace: f64,
 }
 

@@ -55,7 +55,8 @@ struct Check {
     choices: usize,
     within: usize,
     prices: usize,
-    /// The least and the largest ratio of a price measured here to the command's price.
+    /// The least and largest ratio of the price that this program measures for a setting to the
+    /// price that `kahan trade` reports for it.
     factors: [f64; 2],
     failures: Vec<String>,
 }

@@ -134,8 +134,9 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
 
-    /// Returns, for each scheme (scalar type, order, compensated or not), the largest tried ε whose
-    /// error is within `tolerance`, unless it costs more than `dearest`.
+    /// Returns, for each scheme (scalar type, order, compensated or not), the setting with the
+    /// largest tried ε whose error is within `tolerance`. Settings whose price exceeds
+    /// `dearest` are not tried.
     pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
         let mut found = Vec::new();
         for scheme in Scheme::all() {
