@@ -74,7 +74,7 @@ impl GrowthVerdict {
     /// 2. *Quadratic*: the second differences over k steps are constant as in rule 1.
     /// 3. *Exponential*: the last four ratios dₙ₊₁/dₙ exceed 1.15. The last ratio differs by at
     ///    most 8 % from the ratio two steps before. The last ratio minus 1 is at least two thirds
-    ///    of the middle ratio minus 1. For powers dₙ = nᵐ, it is only about one half.
+    ///    of the middle ratio minus 1. For powers dₙ = nᵐ, their quotient is about 1/2.
     /// 4. *Undecided*: no other rule applies.
     #[must_use]
     pub fn of(degrees: &[usize]) -> Self {
