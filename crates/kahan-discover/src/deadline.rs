@@ -15,7 +15,6 @@ const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 /// the computation is not called again.
 pub struct WatchedSearch<'a> {
     watch: &'a dyn Watch,
-    /// The current stage.
     stage: RefCell<String>,
     count: Cell<(u64, Option<u64>)>,
     looked: Cell<Option<Duration>>,
@@ -83,7 +82,7 @@ impl<'a> WatchedSearch<'a> {
 /// A time limit that remembers whether it stopped a computation.
 ///
 /// Only a search that was not stopped may state that something does not exist. The deadline also
-/// passes if the watch ends the computation, and without a clock for no other reason.
+/// passes when the watch ends the computation; without a clock, only then.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a WatchedSearch<'a>>,

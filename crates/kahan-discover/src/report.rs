@@ -32,8 +32,8 @@ pub struct Options {
     pub degree: Option<u32>,
     /// The most iterates of the map whose degrees are computed.
     pub iterates: usize,
-    /// The degree after which no further iterate is computed. The limit is larger for the first
-    /// five iterates.
+    /// No iterate is computed after one whose degree is greater than this. The limit may be higher
+    /// up to the fifth iterate.
     pub iterate_degree: usize,
     /// The time limit in seconds on the watch's clock. Without a clock there is no limit.
     pub seconds: f64,
@@ -103,7 +103,7 @@ pub struct HamiltonianReport {
 }
 
 impl HamiltonianReport {
-    /// Writes the modified Hamiltonian H + (x̃ − x)·∇H/3 in a notation, where x̃ is the image of x.
+    /// Writes the modified Hamiltonian H + (x̃ − x)·∇H/3, where x̃ is the image of x.
     #[must_use]
     pub fn modified(&self, notation: &dyn Notation) -> String {
         self.found.compact(&self.symbols, notation)
@@ -130,7 +130,7 @@ pub enum ModifiedPlace {
 /// The reason why the search for integrals ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// Orbits show the maximal number of integrals. With one more, every orbit would be finite.
+    /// Orbits show the maximal number of integrals: one more would make every orbit finite.
     Orbits,
     /// The number of integrals is the upper bound of the [`IntegralBound`].
     Ceiling,
@@ -236,7 +236,7 @@ pub struct Report {
     pub own_density: Option<String>,
     /// The structure of the field.
     pub structure: StructureReport,
-    /// The integrals that compositions of the map at different ε preserve, or `None` without any.
+    /// The integrals that compositions of the map preserve, or `None` if orbits show no integrals.
     pub survivors: Option<CompositionIntegrals>,
     /// Whether the time ran out before the search was complete.
     pub out_of_time: bool,

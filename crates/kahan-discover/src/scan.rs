@@ -80,8 +80,8 @@ const MOST_MONOMIALS: usize = 84;
 /// Observes degrees and ranks on the grid, and proves claims that hold under a relation of the
 /// parameters and ε.
 ///
-/// `options` fixes further parameters and ε, and limits the degree of relations and the time.
-/// `watch` is told the number of finished points, and each proved claim.
+/// `options` fixes further parameters and ε, and limits the time and the degree of relations on
+/// orbits. `watch` is told the number of finished points, and each proved claim.
 ///
 /// # Errors
 /// Returns the errors of [`discover`](crate::discover()) for the field at generic values of the

@@ -91,7 +91,7 @@ fn what_the_map_keeps_of_the_flow_stands_as_it_is() {
     check_lines(text, &report);
 }
 
-/// Each formula must have an integral of the flow as its limit for ε → 0, with the denominator 1.
+/// For ε → 0, each formula must become an integral of the flow, and its denominator must become 1.
 #[test]
 fn formulas_have_a_limit_at_small_steps() {
     let text = "q1dot = p1; q2dot = p2; p1dot = -q1^2 - q2^2 - w*q1; p2dot = -2*q1*q2 - w*q2;";

@@ -1,9 +1,9 @@
 //! Fields with coefficients that depend on ε, whose maps have an integral. If the coefficients are
 //! replaced by their values at ε = 0, the maps have none.
 //!
-//! At ε = 0 the first field is that of H = x y z² divided by z, and the second that of H = x y² z³
-//! divided by y z², with z = 1 + x + y. They are inhomogeneous reduced Nahm systems of octahedral
-//! and icosahedral symmetry. The maps contract three lines, whose images reach points of
+//! At ε = 0 the first field is the Hamiltonian field of x y z² times 1/z, and the second is that of
+//! x y² z³ times 1/(y z²), with z = 1 + x + y. They are inhomogeneous reduced Nahm systems of
+//! octahedral and icosahedral symmetry. The maps contract three lines, whose images reach points of
 //! indeterminacy after 4, 4, 2 and 6, 3, 2 steps. Source of the method: Schmalian, Suris and
 //! Tumarkin, "How one can repair non-integrable Kahan discretizations. II" (2021).
 

@@ -193,7 +193,7 @@ fn entry_identifier(place: usize) -> Ident {
     format_ident!("__a{place}")
 }
 
-/// Emits the entries of A = I − εf′. Returns for each entry of the LU factors whether A has it.
+/// Emits the entries of A = I − εf′. Returns which entries of the LU factors are present in A.
 fn emit_matrix_entries(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     let mut is_there = vec![false; couplings.columns.len()];
     let mut lines = TokenStream::new();

@@ -173,7 +173,7 @@ impl Context<'_> {
         })
     }
 
-    /// Expands to a function that stores results of a plan at the indices `results_at` of slices:
+    /// Expands to a function that stores the results of a plan in slices, at `results_at`:
     /// `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);

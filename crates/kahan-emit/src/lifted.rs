@@ -152,8 +152,8 @@ fn with_proved_claims(system: System, lift: &Lift, tokens: &[Token]) -> Checked 
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Tests in floats whether an unproved integral is constant if the relations of the lift hold. A
-/// step may then change it at most 1e-9 times as much as a step from states that violate them.
+/// Tests in floats whether an unproved integral is constant where the relations of the lift hold. A
+/// step from there may change it at most 1e-9 times as much as a step from elsewhere.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;

@@ -14,12 +14,12 @@ impl Source {
     }
 
     /// Returns the field with the given parameters. If the field must be lifted to a quadratic one,
-    /// the lift is chosen along the orbit of the point `at`.
+    /// the choice among lifts depends on the orbit of the point `at`.
     pub(crate) fn study_at(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.study_of(self.subject()?, at, &[])
     }
 
-    /// Returns the field like `study_at`, but fails on false claims. Parameters need no values.
+    /// Returns the field like `study_at`; fails if a claim is false. Parameters may lack values.
     pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.proved_over(at, &[])
     }
@@ -36,7 +36,7 @@ impl Source {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
-    /// Returns the field for display. Without `at`, a lift is chosen along [`Study::shown_orbit`].
+    /// Returns the field for display. Without `at`, [`Study::shown_orbit`] decides between lifts.
     pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }
@@ -75,7 +75,7 @@ impl Start {
         Ok((study, starts, self.step.half()?.ok_or(StudyError::MissingStep)?))
     }
 
-    /// Returns the field, the initial point, and ε. Refuses options that set a quantity of `axes`.
+    /// Returns the field, the initial point, and ε. Fails if an option sets what `axes` vary.
     pub(crate) fn study_over(
         &self,
         axes: &[Axis],
@@ -84,7 +84,7 @@ impl Start {
         Ok((study, single_point(starts, self.at.as_deref())?, eps))
     }
 
-    /// Returns the field, the initial points, and ε. Refuses options that set a quantity of `axes`.
+    /// Returns the field, the initial points, and ε. Fails if an option sets what `axes` vary.
     pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), UsageError> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;

@@ -14,7 +14,7 @@ pub(crate) fn number(text: &str, what: &str) -> Result<Rational, UsageError> {
     numbers::number(text).map_err(|why| UsageError::new(format!("{what}: {why}")))
 }
 
-/// Splits NAME=VALUE. If the text has another form, the refusal shows `example`.
+/// Splits NAME=VALUE. If the text has another form, the error message shows `example`.
 pub(crate) fn named<'a>(
     given: &'a str,
     option: &str,
@@ -38,7 +38,7 @@ pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())
 }
 
-/// Parses one of the items of `known`. `value` gives the name and the help of an item.
+/// Returns a parser of the names of the items `known`. `value` returns a name with its help.
 pub(crate) fn one_of<T: Copy + Send + Sync + 'static>(
     known: impl IntoIterator<Item = &'static T>,
     value: fn(T) -> PossibleValue,
@@ -81,7 +81,7 @@ pub(crate) fn axis(name: &str, text: &str, option: &str) -> Result<Axis, UsageEr
     Ok(Axis { name: name.to_owned(), range })
 }
 
-/// Reads a formula in the site index `i` of a chain. Reports call the text `option`.
+/// Reads a formula in the site index `i` of a chain. Errors name `option` as its source.
 pub(super) fn formula(text: &str, known: &NamedConstants, option: &str) -> Result<Formula, UsageError> {
     formula::formula(text, known).map_err(|why| refused(&why, option))
 }

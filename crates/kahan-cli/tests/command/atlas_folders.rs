@@ -21,7 +21,6 @@ fn a_folder_that_cannot_be_used_is_refused_at_once_and_nothing_is_left_behind() 
     assert!(refused(&file.join("below")).contains("cannot use the folder"));
     assert_eq!(fs::read_to_string(&file).expect("the file"), "kept");
 
-    // The page cannot replace a folder.
     let taken = folder.path().join("taken");
     fs::create_dir_all(taken.join("index.html")).expect("a folder");
     assert!(refused(&taken).contains("it is a directory"));

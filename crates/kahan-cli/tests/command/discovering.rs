@@ -146,7 +146,7 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
         let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);
-        // Coefficients of a basis are integrals without a short formula.
+        // Coefficients of a relation between monomials on an orbit are integrals without a formula.
         let by_bases =
             found["bases"].as_array().into_iter().flatten().map(|basis| texts(&basis["integrals"]).len());
         let integrals = texts(&found["integrals"]);
@@ -180,7 +180,8 @@ fn what_is_found_is_printed_as_a_block_and_in_latex() {
     assert!(refusal(&["discover", "e6", "--out", "/nowhere/at/all"]).contains("cannot write"));
 }
 
-/// Kirchhoff's rigid body in a fluid has four integrals. Three of them are coefficients of bases.
+/// Kirchhoff's rigid body in a fluid has four integrals. Three of them have no formula: they are
+/// coefficients of relations between monomials on an orbit.
 #[test]
 fn bases_are_printed_in_text_and_in_latex() {
     let kirchhoff =
@@ -210,7 +211,7 @@ fn bases_are_printed_in_text_and_in_latex() {
     }
 }
 
-/// The modified Hamiltonian has 6 000 characters. Only the block shows it in full.
+/// The modified Hamiltonian has 6 000 characters. Only the `kahan!` block shows it in full.
 #[test]
 fn a_long_modified_hamiltonian_is_printed_in_its_compact_form() {
     let chain = "adot = a*(b - c + d - e) + 1; bdot = b*(c - d + e - a) - 2; cdot = c*(d - e + a - b) + 3;
@@ -240,7 +241,7 @@ fn the_lagrange_top_has_four() {
     reading(find("lagrange").expect("in the catalog").text(), &texts(&found["integrals"]));
 }
 
-/// With expanded numerators and denominators, all integrals and densities had 10 546 characters.
+/// With all products expanded, the integrals and densities have 10 546 characters in total.
 #[test]
 #[ignore = "the whole catalog: seconds in a release build, minutes in another"]
 fn the_catalog_is_written_in_six_tenths_of_the_characters() {

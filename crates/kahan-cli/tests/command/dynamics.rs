@@ -20,7 +20,7 @@ fn a_circle_is_known_in_closed_form() {
     let wanted = "system steps ended ended_step lyapunov lyapunov_error spectrum spectrum_errors mean_log_det fli megno sali \
                   rotation drift extrema escaped";
     assert_eq!(keys, wanted.split(' ').collect::<Vec<_>>());
-    // In the plane of x and its rate, each step rotates clockwise by 2 atan(ε).
+    // In the plane of x and ẋ, each step rotates clockwise by 2 atan(ε).
     let turns = &found["rotation"]["x"];
     assert!((number(&turns["value"]) + 0.05_f64.atan() / PI).abs() < 1e-13, "{turns}");
     assert!(number(&turns["error"]) < 1e-9);
@@ -285,7 +285,7 @@ fn charts_show_what_each_orbit_does() {
         assert!(
             x.is_some_and(|x| [1.0 / 3.0, 1.0, 5.0 / 3.0].iter().any(|middle| (x - middle).abs() < 1e-15))
         );
-        // For ẋ = y, ẏ = rx, w = √r, the exponents of the map are log |(1 + εw)/(1 − εw)|/(2ε).
+        // For ẋ = y, ẏ = rx, the largest exponent is atanh(ε√r)/ε if r > 0, and 0 if r < 0.
         let rate = if r < 0.0 { 0.0 } else { (0.1 * r.sqrt()).atanh() / 0.1 };
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }
@@ -326,7 +326,7 @@ fn charts_show_what_each_orbit_does() {
         assert_eq!((exponent.is_none(), line.contains(",escaped,")), (escapes, escapes), "{line}");
     }
     assert!(bound("b.svg").contains("4 cells empty: 4 escaped"));
-    // The denominator 1 − ε²r vanishes at some ε between 0 and 1/10 if r > 100.
+    // A step passes a pole if 1 − t²r vanishes for some t between 0 and ε = 1/10, so if r > 100.
     let poles = cells(&chart(&["r=0:200:/4", "x=1:2:/2"], &["--color", "passed_poles"], &file("s.csv")));
     let count = |r: &Option<f64>| Some(if *r > Some(100.0) { 100.0 } else { 0.0 });
     assert!(poles.iter().all(|[r, _, found]| *found == count(r)), "{poles:?}");
@@ -407,7 +407,6 @@ const ROWS: &str =
 #[test]
 fn charts_show_the_rows_of_a_file() {
     let of = |arguments: &[&str]| chart_of_rows(ROWS, arguments);
-    // A cell without rows is empty.
     assert_eq!(
         of(&["--over", "y", "--over", "p", "--where", "order=2"]),
         "y,p,log_sali\n0.1,1.0,0.0\n0.2,1.0,-4.0\n0.3,1.0,-2.0\n0.1,3.0,-6.0\n0.2,3.0,\n0.3,3.0,\n"

@@ -11,7 +11,8 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
     let cells = object["cells"].as_array().expect("a list");
-    // In each of seven regimes, seven pairs of tier and scalar are tested; `lu` adds three pairs.
+    // In each of seven regimes, seven pairs of a step method (`tier`) and a number type are tested.
+    // For large steps, the method `lu` is tested in three number types, too.
     assert_eq!(cells.len(), 7 * 7 + 3);
     let of_lu = |cell: &&Value| cell["tier"] == "lu";
     assert!(cells.iter().filter(of_lu).all(|cell| cell["regime"] == "large steps"));
@@ -74,8 +75,8 @@ fn every_field_of_odd_temper_is_judged() {
     let cells = object["cells"].as_array().expect("a list");
     let stable = cells.iter().filter(|cell| cell["tier"] == "stable");
     let judged: u64 = stable.map(|cell| cell["trials"].as_u64().expect("a count")).sum();
-    // For each of three number types, E3 has 8 trials and 24 special inputs. Nineteen odd fields
-    // have 4 trials and 24 inputs, and the twentieth has 40 trials and 24 inputs.
+    // For each of three number types, E3 has 8 trials and 24 special inputs. Nineteen fields of
+    // --odd-fields have 4 trials and 24 inputs each, and one has 40 and 24.
     assert_eq!(judged, 3 * (8 + 24 + 19 * (4 + 24) + (40 + 24)));
     let broken = object["broken"].as_array().expect("a list");
     assert_eq!(output.status.code(), Some(i32::from(!broken.is_empty())));

@@ -119,7 +119,7 @@ fn steady_states_keep_the_totals_of_their_start() {
         assert_eq!(found["exact"]["points"][0], serde_json::json!(state), "{found}");
         assert_eq!((&found["family"], &found["stability"]), (&0.into(), &"attracting".into()), "{found}");
         assert_eq!(found["eigenvalues"].as_array().map(Vec::len), Some(2), "{found}");
-        // With --hold none, the preserved total s + i + r adds an eigenvalue 0.
+        // With --hold none, the derivative f′ also has the eigenvalue 0, as s + i + r is preserved.
         let free = object(&[&sirs[..], &["--at", start, "--hold", "none"]].concat());
         assert_eq!((&free["family"], &free["stability"]), (&1.into(), &"neutral".into()), "{free}");
         assert_eq!(
@@ -232,7 +232,7 @@ fn limit_cycles_of_the_flow_are_found_with_their_eps() {
         let steps = number(&found["period"]);
         assert!((2.0 * eps * steps / period - 1.0).abs() < 1e-2, "{flow}");
         assert_eq!(found["stability"], "attracting");
-        // In √(x² + y²) and z the cycle is a fixed point, with eigenvalues of real part −1/2.
+        // In cylindrical coordinates r, z the cycle is a fixed point with eigenvalues −1/2 ± iω.
         let size = flow["multipliers"].as_array().expect("multipliers").iter();
         let size: Vec<f64> = size.map(|one| number(&one[0]).hypot(number(&one[1]))).collect();
         assert!(

@@ -48,7 +48,7 @@ fn words(svg: &str) -> Vec<String> {
     svg.split("<text").skip(1).map(shown).collect()
 }
 
-/// The section of a diagram may be a plane, or the maxima of a variable.
+/// The section of a bifurcation diagram may be a plane, or the maxima of a variable.
 #[test]
 fn a_diagram_shows_crossings_over_a_parameter() {
     let rossler = "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);";

@@ -1,4 +1,4 @@
-//! Tests `kahan show --plan`: a row for every object, the step, and notes on elimination.
+//! Tests `kahan show --plan`: operation counts, the formula of a step, and notes on elimination.
 
 use crate::running::{answer, kahan, object, text};
 

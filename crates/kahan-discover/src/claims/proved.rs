@@ -89,8 +89,8 @@ impl<'a> Claims<'a> {
     }
 
     /// Returns the name of the system's own density if a found density must replace it, because a
-    /// block may hold only one without `when`. Returns `None` if values are fixed, because found
-    /// claims then have a `when` clause.
+    /// block may hold only one density without `when`. Returns `None` if values are fixed, because
+    /// found claims then have a `when` clause.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;

@@ -21,7 +21,7 @@ pub(crate) fn product(
     let symbols = searched.family().symbols();
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
     let modulus = Modulus::mersenne_61();
-    // At two points x: P(x̃)/P(x) and its inverse for each factor P, and the Jacobian determinant.
+    // For each of two points: P(x̃)/P(x) and its inverse for each factor P, and det ∂x̃/∂x.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
         let sample = searched.sample(modulus, random)?;
@@ -50,7 +50,7 @@ pub(crate) fn product(
         let each = exponents.iter().zip(factors);
         each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
-    // Densities that are constant at ε = 0 come first. For these the flow preserves volume.
+    // Densities that are constant at ε = 0 come first, because the flow then preserves volume.
     let is_of_flow = |exponents: &Vec<i32>| {
         let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
         used.all(|(_, factor)| !symbols.has_state(&factor.substitute(symbols.epsilon(), &Rational::zero())))
@@ -62,7 +62,7 @@ pub(crate) fn product(
 }
 
 /// Returns all exponents with these signs and Σ |exponent|·degree = `total`. The list is incomplete
-/// beyond half a million steps or 20 000 entries.
+/// if the enumeration takes more than half a million steps, or finds more than 20 000 entries.
 pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
     const MOST_STEPS: usize = 500_000;
     let mut found = Vec::new();

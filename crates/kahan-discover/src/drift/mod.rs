@@ -232,7 +232,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs over ℚ the invariant space with the monomials of `form`, and adds its drifts.
+    /// Reconstructs over ℚ the invariant space with the monomials `form.support`. Adds its drifts.
     fn of_space(
         &mut self,
         monomials: &Monomials,

@@ -16,7 +16,7 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::primitive_in_states;
 
-/// Before a search with more unknowns than this, all integrals known so far are accepted.
+/// Before a search with more unknowns than this, all known integrals are accepted, to avoid it.
 const MOST_AHEAD: usize = 150;
 
 /// An integral P/Q is not simplified if P and Q have at most this many characters together.
@@ -139,8 +139,8 @@ impl AcceptedIntegrals<'_> {
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of the accepted integrals in the coordinates of a level set. On a
-    /// proper level set the list is empty, because the integrals that define it are constant there.
+    /// Returns the gradients of the accepted integrals at a point of the whole space. The list is
+    /// empty if `leaf` is a level set with fewer dimensions.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

@@ -21,7 +21,7 @@ pub struct CompositionIntegrals {
     pub hilbert: Hilbert,
     /// For each given formula, whether the composed map preserves it.
     pub formulas: Vec<bool>,
-    /// Pairs of formulas whose quotient the composed map preserves, but not the formulas.
+    /// Pairs of formulas that the composed map changes, but whose quotient it preserves.
     pub quotients: Vec<(usize, usize)>,
 }
 

@@ -27,7 +27,7 @@ const MOST_WORK: u64 = 100_000_000;
 
 const WORK_OF_LOOK: u64 = 50_000;
 
-/// The number of random parameters and ε at which special elements P + cQ are counted.
+/// The number of random choices of the parameters and ε at which elements P + cQ are counted.
 const PARAMETER_SAMPLES: usize = 4;
 
 /// Finds elements P + cQ that factor, have lower degree or do not contain ε, where c is a rational
@@ -145,7 +145,7 @@ pub(crate) fn members(
     found
 }
 
-/// Returns the polynomial that spans the intersection of the pairs' spans, if it is a line.
+/// Returns a basis vector of the intersection of the spans of `here` and `there`, if it is a line.
 fn common_element(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
     let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
     let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);

@@ -13,8 +13,8 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
 use crate::modular::subspace::primitive_in_states;
 
-/// Cancels factors of the denominator one by one. For this, it subtracts a product of `factors`
-/// from the numerator, each times a constant. The `factors` divide known integrals.
+/// Cancels factors of the denominator one by one: replaces the numerator P by αP − βM, with a
+/// product M of `factors`, which divide known integrals.
 pub(crate) fn reduced(
     searched: &SearchField,
     step: &SampledStep,

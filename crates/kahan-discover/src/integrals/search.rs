@@ -111,7 +111,7 @@ impl<'a, M: ModularStep> Search<'a, M> {
     }
 }
 
-/// Returns the gradients of P₁/P₀, P₂/P₀, … for the elements P₀, P₁, … of a space, up to factors.
+/// Returns P₀²·∇(Pᵢ/P₀), i = 1, 2, …, for the elements P₀, P₁, … of a space.
 #[must_use]
 pub fn quotient_gradients(
     modulus: &Modulus,

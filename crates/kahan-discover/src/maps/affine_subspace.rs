@@ -23,7 +23,7 @@ use crate::modular::subspace::combination;
 use crate::modular::weights::Weights;
 use crate::orbits::hilbert::random_relations;
 
-/// An affine level set: the states that serve as coordinates, and the coefficients of its linear
+/// An affine level set: the states that serve as coordinates, and those coefficients of the linear
 /// relations that differ between level sets.
 #[derive(Clone, Debug)]
 pub struct AffineSubspace {
@@ -97,7 +97,7 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // If random values of the coefficients occur on an orbit, the coefficients are independent.
+        // Coefficients are independent if the relations on some orbit have random values of them.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));

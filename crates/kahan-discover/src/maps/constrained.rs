@@ -51,7 +51,7 @@ impl Constraint {
         Some(Constraint { monomials, coefficients, linear })
     }
 
-    /// Returns the map on the level set F = `value`. Returns `None` if a coefficient is undefined
+    /// Returns the map on the level set P/Q = `value`. Returns `None` if a coefficient is undefined
     /// modulo the prime.
     #[must_use]
     pub fn on(

@@ -21,7 +21,7 @@ pub struct SearchField {
     weights: Weights,
 }
 
-/// A map with its values of the unknowns.
+/// A map, and the values of the parameters and ε with which it was formed.
 #[derive(Clone, Debug)]
 pub struct Sample {
     /// The map.

@@ -77,7 +77,7 @@ impl Echelon {
         Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
     }
 
-    /// Subtracts multiples of the echelon form from `row` until its pivot columns are 0.
+    /// Subtracts multiples of the echelon rows from `row`, until `row` is 0 in all pivot columns.
     pub(crate) fn remainder(&self, modulus: &Modulus, row: Vec<u64>) -> Vec<u64> {
         reduced_by(modulus, row, &self.pivots, &self.rows)
     }
@@ -112,8 +112,8 @@ fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec
     row.reduced(modulus)
 }
 
-/// Subtracts multiples of later rows from each row, so that their pivot columns become 0 in this
-/// row (back substitution). Only columns without a pivot are computed.
+/// Back substitution: subtracts multiples of the later rows from each row, until that row is 0 in
+/// the pivot columns of the later rows. Only columns without a pivot are computed.
 fn back_substituted(
     modulus: &Modulus,
     pivots: &[usize],
@@ -180,7 +180,7 @@ impl Sums {
 /// The number of equations in a linear system beyond the number of unknowns.
 pub(crate) const SPARE_EQUATIONS: usize = 6;
 
-/// Returns a basis of the null space of a matrix of random rows.
+/// Returns a basis of the null space of the matrix whose rows `row` returns one by one.
 pub(crate) fn sampled_null_vectors(
     modulus: &Modulus,
     columns: usize,

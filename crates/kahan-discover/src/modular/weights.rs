@@ -76,7 +76,7 @@ impl Weights {
     }
 }
 
-/// Returns the weight of a monomial, with `rank` entries.
+/// Returns the weight of a monomial, with an entry for each of `rank` independent symmetries.
 pub(crate) fn weight_of<'a>(
     monomial: &Monomial,
     rank: usize,

@@ -18,8 +18,8 @@ use crate::orbits::growth::{Growth, GrowthVerdict};
 pub struct DegreeLimits<'a> {
     /// The number of iterates to compute.
     pub iterates: usize,
-    /// The degree after which no further iterate is computed. The limit is four times as large for
-    /// the first five iterates while the kind of growth is undecided.
+    /// No iterate is computed after one whose degree is greater than this. Up to the fifth iterate,
+    /// four times this degree is allowed while the kind of growth is undecided.
     pub degree: usize,
     /// The deadline of the computation.
     pub deadline: &'a Deadline<'a>,

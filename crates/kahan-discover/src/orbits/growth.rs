@@ -62,7 +62,7 @@ impl fmt::Display for Growth {
     }
 }
 
-/// The largest relative difference between ratios of degrees that are treated as constant.
+/// Two ratios of degrees are treated as equal if their relative difference is at most this.
 const CONSTANT_RATIO_TOLERANCE: f64 = 0.08;
 
 impl GrowthVerdict {
@@ -74,7 +74,7 @@ impl GrowthVerdict {
     /// 2. *Quadratic*: the second differences over k steps are constant as in rule 1.
     /// 3. *Exponential*: the last four ratios dₙ₊₁/dₙ exceed 1.15. The last ratio differs by at
     ///    most 8 % from the ratio two steps before. The last ratio minus 1 is at least two thirds
-    ///    of the middle ratio minus 1. For dₙ = nᵏ, it is about one half of that.
+    ///    of the middle ratio minus 1. For powers dₙ = nᵐ, their quotient is about 1/2.
     /// 4. *Undecided*: no other rule applies.
     #[must_use]
     pub fn of(degrees: &[usize]) -> Self {
@@ -116,8 +116,8 @@ fn steps(period: usize, difference: i128, what: &str) -> String {
     }
 }
 
-/// Returns the least k for which the last differences vₙ₊ₖ − vₙ of this order are equal, their
-/// common value, and their number.
+/// Replaces `values` by their differences vₙ₊ₖ − vₙ, `order` times. Returns the least k for which
+/// the last differences are equal, their common value, and their number.
 fn constant_differences(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     (1..=values.len() / (order + 2)).find_map(|period| {
         let mut differences = values.to_vec();

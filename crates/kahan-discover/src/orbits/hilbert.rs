@@ -32,7 +32,7 @@ pub struct Hilbert {
     pub agree: bool,
 }
 
-/// The default degree of relations is the highest one with at most this many monomials.
+/// Up to the default degree of relations, there are at most this many monomials.
 const MOST_MONOMIALS: usize = 220;
 
 /// The most monomials at degree 2. This limit makes 2 the default degree up to 40 variables.

@@ -72,7 +72,7 @@ pub fn integral_bound(
     let trials = trials.min(MAX_PRODUCTS / (n * n * n).max(1));
     for sample in 0..trials / TRIALS_A_SAMPLE {
         let prime = PRIMES[sample % PRIMES.len()];
-        // The derivative that finds multiple eigenvalues needs a prime above all multiplicities.
+        // An m-fold root is an (m − 1)-fold root of the derivative if the prime is above m.
         if prime <= n as u64 {
             continue;
         }

@@ -26,7 +26,7 @@ const MODIFIED_WORK: u64 = 10_000_000;
 
 const MOST_STRUCTURES: usize = 4;
 
-/// Each component of the field adds this many equations beyond the number of unknowns.
+/// For n components of the field, there are n times this many more equations than unknowns.
 const SPARE_EQUATIONS: usize = 6;
 
 /// A decomposition f = K∇H with a constant antisymmetric matrix K.

@@ -48,8 +48,8 @@ const FEW_VARIABLES: usize = 10;
 pub(crate) struct IntegralsByRules {
     /// Integrals that are accepted before the search for other integrals.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
-    /// Integrals that are accepted late, because the search may find integrals of equal degree with
-    /// a common denominator.
+    /// Integrals that are accepted only after the search of their degree, because this search may
+    /// find integrals with a common denominator instead.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 

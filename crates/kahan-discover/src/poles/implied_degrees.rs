@@ -1,10 +1,11 @@
 //! Computes the degrees dₙ of iterates from singularity patterns, which need not be confined.
 //!
 //! Let each point of a followed curve B be moved by δ off the curve. After k steps, its image meets
-//! a curve C to the order mₖ(B, C) in δ. In step k, the power δ^sₖ(B) cancels. Let Zₙ(C) count the
-//! points of a generic line that reach C at step n before any other followed curve. Then (degree of
-//! C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·mₖ(B, C), and dₙ₊₁ = d·dₙ − Σ Zₙ₊₁₋ₖ(B)·sₖ(B) for a map of degree d,
-//! with sums over B and k (Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order).
+//! a curve C to the order mₖ(B, C) in δ. In step k, the power δ^sₖ(B) cancels from the homogeneous
+//! coordinates of the image. Let Zₙ(C) count the points of a generic line that reach C at step n
+//! before any other followed curve. Then (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·mₖ(B, C), and dₙ₊₁ =
+//! d·dₙ − Σ Zₙ₊₁₋ₖ(B)·sₖ(B) for a map of degree d, with sums over B and k (Halburd, Proc. R. Soc. A
+//! 473, 2017, for mappings of second order).
 
 use super::jet::Image;
 

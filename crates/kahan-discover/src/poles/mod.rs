@@ -153,7 +153,7 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// Returns the pattern of a curve if two primes agree on it.
+    /// Returns the pattern of a curve, without images if the results modulo two primes differ.
     fn pattern(&self, curve: Option<Polynomial>, random: &mut SplitMix64) -> Pattern {
         let first = self.images(curve.as_ref(), random);
         let second = self.images(curve.as_ref(), random);

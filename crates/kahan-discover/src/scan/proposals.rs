@@ -19,14 +19,14 @@ use crate::orbits::hilbert::default_degree;
 use crate::report::Options;
 use crate::stages::discover_within;
 
-/// A relation between scanned parameters. Degrees or ranks on it are not the generic ones.
+/// A relation between scanned parameters. Where it holds, degrees or ranks are not generic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proposal {
     /// The relation as written in a `when` clause, for example `c = -a - b`.
     pub relation: String,
     /// The number of grid points that satisfy the relation.
     pub points: usize,
-    /// Of the relation's points with the fewest integrals, the most frequent degrees and ranks.
+    /// The most frequent degrees and ranks among points of the relation with the fewest integrals.
     pub sight: DegreesAndRanks,
     /// Proved claims, ready to paste, that hold only under the relation.
     pub claims: Vec<String>,
@@ -109,7 +109,7 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     format!("{} = {}", text(&left), text(&right))
 }
 
-/// Searches formulas that hold under a relation, and claims them for the given field.
+/// Searches for formulas that hold under a relation, and proves them as claims about `system`.
 struct RelationProver<'a> {
     system: &'a System,
     options: &'a Options,

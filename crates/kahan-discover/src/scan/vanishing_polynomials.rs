@@ -1,9 +1,9 @@
 //! Finds polynomials of low degree in the scanned parameters that vanish only at special grid
 //! points, where degrees or ranks are not generic.
 //!
-//! Simple polynomials come first: a single value, linear polynomials, two monomials. A special
-//! point at which an earlier polynomial vanishes does not count for later ones. Coefficients are
-//! computed modulo a prime of 61 bits.
+//! Simple polynomials come first: those that fix one parameter, then linear polynomials, then those
+//! with two monomials. A special point at which an earlier polynomial vanishes does not count for
+//! later ones. Coefficients are computed modulo a prime of 61 bits.
 
 use std::collections::BTreeSet;
 
@@ -31,8 +31,8 @@ pub(super) struct VanishingPolynomial {
 
 /// The number of zeros required beyond the number of coefficients of a polynomial.
 const SPARE_POINTS: usize = 2;
-/// Polynomials that vanish by accident with a higher probability than this are rejected. For c
-/// coefficients and z special zeros, it is p^(z − c), where p is the fraction of special points.
+/// Polynomials are rejected if their zeros are accidental with more than this probability, which is
+/// p^(z − c) for c coefficients, z special zeros and a fraction p of special points.
 const MAX_COINCIDENCE_PROBABILITY: f64 = 0.01;
 /// The number of random sets of special points through which linear polynomials are tried.
 const POINT_CHOICES: usize = 3000;

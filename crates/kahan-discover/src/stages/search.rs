@@ -95,7 +95,7 @@ impl Search<'_> {
     ) -> Vec<PoissonTensor> {
         let searched = self.searched;
         // In two and three variables, a density and enough integrals give all brackets. In three,
-        // those up to degree 2 are searched nevertheless, because they may be shorter.
+        // shorter brackets may exist, so those up to degree 2 are searched nevertheless.
         let is_said = searched.dimension() < 4 && integrals + 2 >= searched.dimension();
         let highest = if is_said { 2 } else { u32::MAX };
         match before {
@@ -124,8 +124,8 @@ impl Search<'_> {
         let of_tensor =
             tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
-        // A bracket of full rank implies a density. If `pfaffian_density` did not find it, its
-        // formula is long, so little time is spent on a search for it.
+        // A bracket of full rank implies a density. If `pfaffian_density` did not find the density,
+        // the formula is long, so little time is spent on a search.
         let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
         let for_formulas = until.after_share(SHARE_FOR_FORMULAS);
         let until_densities = if is_implied { &for_formulas } else { until };

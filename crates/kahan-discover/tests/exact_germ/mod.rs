@@ -7,7 +7,7 @@ use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 
 /// Homogeneous coordinates of a point that is moved by δ off a curve. They are polynomials in δ and
-/// `slopes`, the parameters of the curve, of degree at most 1 in the parameters.
+/// the parameters `slopes` of the curve. Their degree in `slopes` is at most 1.
 pub(crate) struct ExactGerm {
     map: Vec<Polynomial>,
     degree: u32,

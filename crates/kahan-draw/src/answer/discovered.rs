@@ -83,7 +83,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["  of all".to_owned(), listing(&hilbert.full)]);
     }
     let structure = &report.structure;
-    // An empty list is left out, because integrals above degree 2 were not searched.
+    // If none is known, the row is left out: the flow may have integrals of degrees above 2.
     let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
     if !of_flow.is_empty() {
         rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);

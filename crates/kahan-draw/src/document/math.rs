@@ -12,7 +12,7 @@ pub fn inline(latex: &str) -> Markup {
 
 /// The number of characters on a line of the page.
 pub const LINE: usize = 84;
-/// The number of characters on a line in a table column of statements.
+/// The number of characters on a line of a formula in a column of claims.
 pub const COLUMN: usize = 56;
 const CELL: usize = 44;
 

@@ -74,7 +74,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     }
     let whole = digits(text);
     let decimals = digits(text[whole.len()..].strip_prefix('.')?);
-    // A number with a single decimal, such as 4.1, may be that of a section, and stays unchanged.
+    // A number with one decimal, such as 4.1, may be the number of a section, and stays unchanged.
     if whole.is_empty() || decimals.len() < 2 {
         return None;
     }

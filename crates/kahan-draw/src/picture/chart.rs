@@ -125,7 +125,7 @@ impl Chart {
         if ends.is_empty() { String::new() } else { format!(": {}", ends.join(", ")) }
     }
 
-    /// Returns a note if cells are empty, if all values are equal, or if some have no colour.
+    /// Returns a note on empty cells, on equal values, or on values that `scale` does not show.
     fn note(&self, scale: Option<&NumberLine>) -> String {
         const ROUNDING: f64 = 1e-13;
 

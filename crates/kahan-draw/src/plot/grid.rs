@@ -87,8 +87,8 @@ impl Grid {
     }
 }
 
-/// Draws cells from the upper left as an image. Cells are enlarged to about 1024 pixels a side,
-/// because some programs blur enlarged images.
+/// Draws cells from the upper left as an image. Cells are enlarged so that the image has about 1024
+/// pixels a side, because some programs blur images that they enlarge.
 fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), cells: &[u8]) -> Markup {
     const SIDE: usize = 1024;
 

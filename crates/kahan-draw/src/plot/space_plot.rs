@@ -43,7 +43,7 @@ const AZIMUTH: f64 = 0.62;
 const ELEVATION: f64 = 0.5;
 /// The number of depth layers. Each layer has one line width.
 const DEPTH_LAYERS: usize = 24;
-/// If the longest edge is more than this many times the shortest, each edge has its own scale.
+/// If the longest edge of the box is over this many times the shortest, each has its own scale.
 const STRETCH_RATIO: f64 = 4.0;
 const MAX_STRETCHED_WIDTH: f64 = 2.0;
 

@@ -39,7 +39,7 @@ pub(crate) use series::SeriesScalar;
 pub struct Flow<T> {
     pieces: Vec<TaylorPiece<T>>,
     end: f64,
-    /// The number of variables, from the first on, that count in distances and in the scale.
+    /// The number of variables, from the first on, that determine distances and the scale.
     measured: usize,
     scale: f64,
     slope: f64,

@@ -295,7 +295,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for CycleCurve<F> {
             let nearer = &next - least_norm_solution(square, &gaps.push(0.0))?;
             if gaps.amax() <= RESIDUAL_TOLERANCE * next.amax().max(1.0) {
                 // Near a double multiplier 1, the error of the cycle is about the square root of
-                // the residual `gaps`, so the next point is taken if its residual is smaller.
+                // `gaps`. One more Newton step is therefore kept if its residual is smaller.
                 let is_nearer = gaps.amax() > NEGLIGIBLE_RESIDUAL
                     && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

@@ -150,8 +150,8 @@ impl<C: Curve> BranchSegment<'_, C> {
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n((high.at, ChangePoint { change, parameter }), times.unsigned_abs()));
         };
-        // Real multipliers outside the unit circle may become complex pairs, or pairs may become
-        // real. Their number `met` is subtracted, because they do not cross the circle.
+        // Two real multipliers outside the unit circle may become a complex pair, or the reverse.
+        // These `met` multipliers do not cross the circle, so they are subtracted.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
         tell(self.turning_back(there.as_ref()), isize::from(turns_back));
         tell(BranchChange::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
@@ -226,8 +226,8 @@ impl<C: Curve> BranchSegment<'_, C> {
         } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
             (behind, 1.0)
         } else {
-            // The multiplier is on the circle before `inner` too, so the search is for the point
-            // where it leaves the error margin.
+            // No position with the multiplier surely inside the circle is known, so the search is
+            // for the position where the modulus exceeds 1 by more than the error margin.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
         let (at, parameter) = self.bisect([begin, outer.at], |there| size_at(there) <= bound);

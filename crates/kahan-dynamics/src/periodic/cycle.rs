@@ -266,7 +266,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // Differences of eigenvalues are divisors, so smaller ones are replaced by `least`.
+    // Divisors are differences of eigenvalues. Below `least` in modulus, they are replaced by it.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];

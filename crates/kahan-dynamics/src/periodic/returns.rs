@@ -22,7 +22,7 @@ pub struct CloseReturn {
 /// If the points differ in their number of coordinates.
 #[must_use]
 pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<CloseReturn> {
-    /// The number of points to which returns are searched is between this and twice this.
+    /// Of a long orbit, this many to twice this many points are tested for returns.
     const START_POINTS: usize = 1000;
     const RETURNS: usize = 24;
     /// An orbit must first leave a point by more than this, in scaled coordinates, to return to it.

@@ -179,7 +179,6 @@ fn a_turn_of_a_fifth_has_a_family_of_cycles() {
     assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
 }
 
-/// A linear map with this matrix.
 struct Linear([f64; 4]);
 
 impl ByHand for Linear {

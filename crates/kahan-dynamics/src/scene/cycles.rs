@@ -23,8 +23,8 @@ const DOUBLE_DOUBLE_COST_FACTOR: f64 = 10.0;
 impl Scheme {
     /// Returns the modelled processor cycles of one step. Only ratios of results are meaningful.
     ///
-    /// The result is the number of stages, times the [cycles](StepCost::cycles) in `f64` of
-    /// `stage`, one step of Kahan's map, times the factors of scalar and compensation.
+    /// The result is the product of the number of stages, the [cycles](StepCost::cycles) of one
+    /// `stage` (a step of Kahan's map) in `f64`, and the factors of scalar and compensation.
     #[must_use]
     pub fn cycles(&self, stage: StepCost) -> f64 {
         let numbers = match self.precision {

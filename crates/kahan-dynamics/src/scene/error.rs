@@ -10,7 +10,7 @@ pub enum NoSetting {
     NotPositive {
         /// The name of the number.
         name: &'static str,
-        /// The value of the number.
+        /// The rejected value, for example 0 or NaN.
         value: f64,
     },
     /// A coordinate of the first point is not finite.

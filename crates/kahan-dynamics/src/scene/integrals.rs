@@ -19,7 +19,7 @@ const ROUNDING_SAFETY_FACTOR: f64 = 2.0;
 const MOST_STEPS: f64 = 9e15;
 
 const PILOT_STEPS: f64 = 4096.0;
-/// The largest coordinate of an orbit may be this many times that of the orbit with ε/4.
+/// The largest coordinate of an orbit may be at most this many times that of the orbit with ε/4.
 const MAX_SIZE_RATIO: f64 = 2.0;
 const MAX_HALVINGS: i32 = 16;
 
@@ -49,7 +49,7 @@ where
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
             }
-            // Compensated steps round only the increment, whose relative size is about 2ε·rate.
+            // Compensated steps round only 2εf. Its size relative to x is about 2ε·rate.
             let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
             let error = ROUNDING_SAFETY_FACTOR
                 * scene.condition

@@ -1,4 +1,4 @@
-//! Runs a setting.
+//! Computes orbits with the method, the precision and the ε of a `Setting`.
 
 use kahan_core::nalgebra::SVector;
 

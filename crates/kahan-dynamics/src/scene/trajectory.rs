@@ -135,7 +135,7 @@ where
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < MIN_STOPPING_ERROR {
-                    // Rounding errors may be twice as large at the ε of another tolerance.
+                    // `best` is doubled, as rounding errors may be larger at the ε chosen for it.
                     NoSetting::OutOfReach {
                         best: libm::exp2(libm::log2(2.0 * REFERENCE_ACCURACY_FACTOR * least_error).ceil()),
                     }

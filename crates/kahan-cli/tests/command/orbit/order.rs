@@ -70,7 +70,7 @@ fn a_field_of_one_s_own_is_composed_with_single_precision_too() {
     let single = rows(&[&field[..], &more[..], &["f32"]].concat());
     let double = rows(&[&field[..], &more[..], &["f64"]].concat());
     for (single, double) in single.iter().zip(&double) {
-        // The bound allows an error of a few times 6e-8 at each of 17 stages in each of ten steps.
+        // The bound allows a few rounding errors of `f32` (6e-8) in 17 stages of each of ten steps.
         assert!(single.iter().zip(double).all(|(a, b)| (a - b).abs() < 1e-4), "{single:?} {double:?}");
     }
     assert!(single != double);

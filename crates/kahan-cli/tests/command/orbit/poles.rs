@@ -22,7 +22,7 @@ fn the_rows_before_a_pole_are_kept_and_the_place_is_named() {
 
 #[test]
 fn a_pole_on_the_way_ends_an_orbit_where_the_map_says() {
-    // For E1 at ε = −1/4, 1/x changes by 2ε in each step: 3/2, 1, 1/2. At x = 2, 1 + 2εx = 0.
+    // For E1, x̃ = x/(1 + 2εx), so 1/x changes by 2ε = −1/2: 3/2, 1, 1/2, and x = 2 is a pole.
     let output = kahan(&["e1", "--eps", "-1/4", "--at", "2/3,1,1", "--steps", "9", "--scalar", "exact"]);
     assert_eq!(output.status.code(), Some(1));
     let (_, rows) = table(&text(&output.stdout));

@@ -232,7 +232,7 @@ fn other_commands_take_a_file_of_one_row_and_pictures_several() {
     assert_eq!(picture(&[&several]), picture(&["1/3,2", "1,2"]));
 }
 
-/// Each pair of a start and a value on the axes has an orbit, as in a call with only this pair.
+/// Each pair of a start and a value on the axes gives the same orbit as a call with only this pair.
 #[test]
 fn ranges_give_an_orbit_for_each_value_and_start() {
     let folder = folder();

@@ -44,8 +44,8 @@ pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
     factors
 }
 
-/// Writes the quotient of the products of `above` and `below`. A long factor is written in powers
-/// of one of the polynomials `by`, or of a short factor of `below`, if that shortens the text.
+/// Writes the quotient of the products of `above` and `below`. A long factor is written as a
+/// polynomial in p if this is shorter, where p is one of `by` or a short factor of `below`.
 pub(crate) fn quotient(
     symbols: &Symbols,
     above: &[Polynomial],
@@ -170,8 +170,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // The monomial `front_below` lengthens the other side of the fraction, too,
-                        // so the text is counted as 3/2 times as long.
+                        // The text needs the monomial `front_below` on the other side of the
+                        // fraction bar, so its length is counted 3/2 times.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));

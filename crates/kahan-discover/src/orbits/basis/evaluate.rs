@@ -135,8 +135,8 @@ impl Basis {
         for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
             column /= *scale;
         }
-        // The singular values give only the condition number. They are too inaccurate for the
-        // solution, which uses a QR decomposition.
+        // The singular value decomposition gives only the condition number. It is too inaccurate
+        // for the solution, which uses a QR decomposition.
         let singular_values = matrix.singular_values();
         let condition = singular_values.max() / singular_values.min();
         if condition.is_nan() || condition * f64::EPSILON > 1.0 {

@@ -31,7 +31,7 @@ use crate::orbits::relations::Relations;
 pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
-/// A sum of monomials with integer factors, as pairs of index and factor with ascending indices.
+/// A sum of monomials with integer factors: pairs (index of a monomial, factor), sorted by index.
 /// The first factor is 1. In the relation, the coefficient of each monomial is its factor times the
 /// coefficient of the first monomial.
 pub type Term = Vec<(usize, i64)>;
@@ -69,7 +69,7 @@ pub struct Basis {
     pub terms: Vec<Term>,
     /// The index of the unit, the monomial with coefficient 1.
     pub unit: usize,
-    /// The indices of the coefficients that are independent integrals, all without a formula.
+    /// The indices of the coefficients that are independent integrals without a known formula.
     pub integrals: Vec<usize>,
     /// The number of random points at which the relation was checked, each modulo a random prime,
     /// or `None` if the relation was only observed. The probability of an error is below 2⁻¹⁰⁰.
@@ -83,7 +83,7 @@ impl Basis {
         self.monomials.iter().map(|exponents| monomial_text(states, exponents, &Text)).collect()
     }
 
-    /// Writes the terms of the relation in a notation.
+    /// Writes the terms of the relation in the given notation.
     #[must_use]
     pub fn term_texts(&self, states: &[String], notation: &dyn Notation) -> Vec<String> {
         let text = |term: &Term| {
@@ -320,7 +320,7 @@ fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     orders
 }
 
-/// Reduces the relations, so that each has the last of its monomials in `order` as the leading one.
+/// Reduces the relations. The leading monomial of each is the one that comes last in `order`.
 fn reduced_in(
     modulus: &Modulus,
     relations: &Relations,

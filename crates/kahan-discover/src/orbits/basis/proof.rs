@@ -92,7 +92,7 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // Each row multiplies the bound on the determinant by `size` and by the sum of |factor|.
+    // Each row multiplies the bound on the determinant by its length `size` and by `factors`.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = PolynomialBound { degree: 0, bits: size * bits };
     for steps in [before, after] {
@@ -107,8 +107,8 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     Some(total)
 }
 
-/// Bounds numerators and denominator of the image of a point x = X/W, by Cramer's rule for A x̃ =
-/// b.
+/// Bounds numerators and denominator of the image x̃ of a point x = X/W, by Cramer's rule for the
+/// linear system A x̃ = b of a step.
 fn image(point: PolynomialBound, field: &Field, eps: Option<&Rational>) -> Option<PolynomialBound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;

@@ -31,8 +31,9 @@ type Point = [u64; 3];
 /// Then Ψ∘Φ is κ times the identity, with a cubic form κ. The map contracts exactly the curves of
 /// κ. If κ is a product of linear forms, these curves are lines ℓᵢ with images qᵢ. Outside of the
 /// lines φ is injective and never takes the value qᵢ, so the orbit of qᵢ cannot return to qᵢ there.
-/// Modulo the prime there are finitely many points, so it reaches a point of indeterminacy, or a
-/// line ℓⱼ and then qⱼ. Finitely many steps from each qᵢ therefore decide stability.
+/// Modulo the prime there are finitely many points, so the orbit of qᵢ reaches a point of
+/// indeterminacy, or a line ℓⱼ and then qⱼ. Finitely many steps from each qᵢ therefore decide
+/// stability.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,

@@ -1,6 +1,6 @@
 //! Computes the Poisson tensor that a density and n − 2 integrals define.
 //!
-//! Each gradient is divided by a common factor, so that minors are those of small polynomials. The
+//! Each gradient is divided by the common factor of its entries, so that the minors stay small. The
 //! tensor is multiplied by these factors at the end.
 
 use kahan_algebra::kahan::maximal_minors;
