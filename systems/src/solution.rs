@@ -1,4 +1,4 @@
-//! Definitions that the closed solutions share.
+//! Shared definitions for closed formulas of orbits and trajectories.
 //!
 //! In the module of a system, `Solution` is an orbit of Kahan's map, with
 //! `Solution::through(&point, &eps)`, and `.at(n)` for any integer n. `FlowSolution` is a
@@ -53,7 +53,7 @@ impl fmt::Display for OutOfDomain {
 impl core::error::Error for OutOfDomain {}
 
 /// A real branch of a hyperbolic or elliptic solution, on which an orbit stays. On the boundary
-/// between the branches, the matrix A(x, ε) or A(x, −ε) is singular.
+/// between the branches, A(x, ε) = I − εf′(x) or A(x, −ε) is singular.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
     /// The bounded branch, which for ε → 0 tends to the solution of the flow.

@@ -9,8 +9,8 @@ mod catalog {
 mod lattices;
 
 mod solutions {
-    //! Compares special functions and closed solutions with mpmath, with identities, between two
-    //! precisions, and with exact orbits.
+    //! Compares special functions and closed solutions with mpmath, identities, exact orbits and
+    //! results of a second precision.
 
     mod e9_quadrature;
     mod exact_orbits;

@@ -1,4 +1,4 @@
-//! The checked quadratic field. All mistakes in the text have been reported before it is built.
+//! The checked quadratic field, which is built after all mistakes in the text were reported.
 //!
 //! Each component is ẋᵢ = pᵢ/qᵢ in lowest terms. The numerator pᵢ has degree at most 2 in the
 //! states, and qᵢ contains no state. Coefficients may depend on ε². The map approximates the flow

@@ -126,8 +126,7 @@ fn check_block(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnost
 }
 
 /// Returns the seed of the prover's random points, a cryptographic hash of the text. Builds are
-/// therefore reproducible. To have a false claim accepted, no better way is known than to try
-/// texts.
+/// therefore reproducible. The only known way to get a false claim accepted is to try many texts.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
     let text: Vec<&str> = tokens.iter().map(|token| &*token.text).collect();

@@ -3,20 +3,20 @@
 //!
 //! # Theorems
 //!
-//! Let x̃ be the image of x and f(x,x̃) the polarised field, so that x̃ − x = 2ε f(x,x̃). A *form*
-//! is an affine function of x. Two theorems hold in any dimension.
+//! Let x̃ be the image of x and f(x,x̃) the polarised field, so that x̃ − x = 2ε f(x,x̃). Two
+//! theorems hold in any dimension.
 //!
 //! **Polarisation.** Let I = a·x + xᵀCx with a symmetric constant matrix C, dI/dt = 0 and Cf
-//! affine. Then I − ε² fᵀCf is an integral. Proof: write I = a·x + yᵀCy with forms y whose
-//! derivatives ℓ are affine. Let ỹ, ℓ̃ and Ĩ be y, ℓ and I at x̃. Polarise dI/dt = 2ℓᵀCy + a·f = 0
-//! to ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0, and ẏ = ℓ to ỹ − y = ε(ℓ + ℓ̃). Then
+//! affine. Then I − ε² fᵀCf is an integral. Proof: write I = a·x + yᵀCy with affine functions y of
+//! x whose derivatives ℓ are affine. Let ỹ, ℓ̃ and Ĩ be y, ℓ and I at x̃. Polarise dI/dt = 2ℓᵀCy +
+//! a·f = 0 to ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0, and ẏ = ℓ to ỹ − y = ε(ℓ + ℓ̃). Then
 //!
 //! Ĩ − I = ε(ℓ + ℓ̃)ᵀC(y + ỹ) − 2ε(ℓᵀCỹ + ℓ̃ᵀCy) = ε(ℓ̃ − ℓ)ᵀC(ỹ − y) = ε²(ℓ̃ᵀCℓ̃ − ℓᵀCℓ).
 //!
-//! **Rotation.** Let ẏ = m N y with a vector y of forms, a form m and a constant matrix N. Let I =
-//! yᵀQy, let QN be antisymmetric (dI/dt = 0), and let QN² = −δQ. Then I/(1 + ε²δm²) is an integral.
-//! Proof: polarisation gives (1 − εmN)ỹ = (1 + εm̃N)y. Since QN = −NᵀQ, vᵀQv is (1 + ε²δm²)Ĩ if v
-//! is the left-hand side, and (1 + ε²δm̃²)I if v is the right-hand side.
+//! **Rotation.** Let ẏ = mNy with a vector y of affine functions of x, an affine m and a constant
+//! matrix N. Let I = yᵀQy, let QN be antisymmetric (dI/dt = 0), and let QN² = −δQ. Then I/(1 +
+//! ε²δm²) is an integral. Proof: polarisation gives (1 − εmN)ỹ = (1 + εm̃N)y. Since QN = −NᵀQ, vᵀQv
+//! is (1 + ε²δm²)Ĩ if v is the left-hand side, and (1 + ε²δm̃²)I if v is the right-hand side.
 
 mod linear_relations;
 
@@ -43,18 +43,18 @@ pub enum Rule {
     /// A linear integral I of the flow is also an integral of the map. For linear f, every
     /// quadratic integral I is an integral of the map.
     ///
-    /// *Relations*: for states w, x, y with ẋ = y and the integral w − x² of the flow, w − x² +
-    /// ε²y² is an integral of the map. *Energy*: for states x, p, F, W with ẋ = p, ṗ = −F and Ẇ =
-    /// F·p, |p|²/2 + W − ε²|F|²/2 is an integral of the map.
+    /// For example, if ẋ = y and w − x² is an integral of the flow, then w − x² + ε²y² is an
+    /// integral of the map. If ẋ = p, ṗ = −F and Ẇ = F·p, then |p|²/2 + W − ε²|F|²/2 is an integral
+    /// of the map.
     Polarisation,
-    /// Let y be a vector of affine functions (forms) with ẏ = mNy, where m is a form and N a
-    /// constant matrix with N² = −δ, δ > 0. If yᵀQy is an integral of the flow, then yᵀQy/(1 +
-    /// ε²δm²) is an integral of the map. If m is also an integral, so is yᵀQy. For example, forms s
+    /// Let y be a vector of affine functions of x with ẏ = mNy, where m is affine and N a constant
+    /// matrix with N² = −δ, δ > 0. If yᵀQy is an integral of the flow, then yᵀQy/(1 + ε²δm²) is an
+    /// integral of the map. If m is also an integral, so is yᵀQy. For example, affine functions s
     /// and c with ṡ = αcm and ċ = −βsm for constants αβ > 0 give (βs² + αc²)/(1 + ε²αβm²).
     Rotation,
-    /// Like [`Rotation`](Rule::Rotation), but with δ < 0. Forms s and w with ṡ = κsm and ẇ = −κwm
-    /// for a constant κ give sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading
-    /// coefficient decides between `Rotation` and `Hyperbolic`.
+    /// Like [`Rotation`](Rule::Rotation), but with δ < 0. Affine functions s and w with ṡ = κsm and
+    /// ẇ = −κwm for a constant κ give sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its
+    /// leading coefficient decides between `Rotation` and `Hyperbolic`.
     Hyperbolic,
 }
 
@@ -72,7 +72,7 @@ pub struct ModifiedIntegral {
 /// Returns all integrals by polarisation and rotation within a bounded amount of work.
 ///
 /// First comes a basis of the linear integrals, then integrals by polarisation, without products of
-/// linear integrals. Integrals by rotation come last, ordered by the form m of [`Rule::Rotation`].
+/// linear integrals. Integrals by rotation come last, ordered by m of [`Rule::Rotation`].
 /// All integrals are linearly independent, and usually also functionally independent.
 #[must_use]
 pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
@@ -84,8 +84,9 @@ pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
 }
 
 /// Returns an integral of the map from `integral`, an integral of the flow of degree at most 2. At
-/// ε = 0 the two are equal, or by the rotation rule equal up to a constant and a factor without
-/// states. Returns `None` if neither theorem applies, or if the work is too large.
+/// ε = 0, an integral by polarisation equals `integral`; one by rotation may differ from it by an
+/// added constant and a factor without states. Returns `None` if neither theorem applies, or if the
+/// work is too large.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
@@ -129,7 +130,7 @@ impl From<OverBudget> for NoIntegral {
 /// An affine function y with its derivative ẏ, or with ẏ/m for a fixed affine function m.
 type WithSlope = (Polynomial, Polynomial);
 
-/// A product `value` of two linear integrals. The product of the two states `pair` is a term of it.
+/// A product `value` of two linear integrals. It contains the product of the two states `pair`.
 #[derive(Clone)]
 struct Product {
     value: Polynomial,
@@ -204,8 +205,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns all products of two linear integrals, with squares last. The product of the states
-    /// `pair` occurs in no later product.
+    /// Returns all products of two linear integrals, with squares last. No later product contains
+    /// the product of the states in a product's `pair`.
     fn products(
         &self,
         relations: &[Relation],
@@ -256,8 +257,7 @@ impl<'a> Flow<'a> {
                 second.push(twice);
             }
             for delta in deltas {
-                // Find the forms whose second derivative, divided by m each time, is −δ times the
-                // form.
+                // Let Dy = ẏ/m. Find the affine functions y with D(Dy) = −δy.
                 let vector = |(value, twice): (&Polynomial, &Polynomial)| {
                     twice.add_within(&delta.mul_within(value, budget)?, budget)
                 };
@@ -276,7 +276,7 @@ impl<'a> Flow<'a> {
     }
 
     /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of affine functions λᵢ and functions vₖ, given
-    /// with their derivatives. Products of two of the first `constant` functions λᵢ are omitted.
+    /// with their derivatives. The first `constant` λᵢ are integrals; their products are omitted.
     fn invariants(
         &self,
         forms: &[WithSlope],
@@ -303,7 +303,7 @@ impl<'a> Flow<'a> {
         Ok(integrals)
     }
 
-    /// Returns candidates for the form m of a rotation, which are divisors of components.
+    /// Returns candidates for the affine function m of a rotation: divisors of components.
     fn multipliers(&self, budget: &mut Budget) -> WithinBudget<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
@@ -374,7 +374,7 @@ impl<'a> Flow<'a> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
-        // With x₀ = 1, I is a quadratic form in x₀ and the states. `first` is its derivative by x₀.
+        // I becomes homogeneous with a variable x₀ = 1. Its derivative by x₀ is `first`.
         let mut first = integral.scale(&Rational::from(2));
         for (variable, slope) in slopes.iter() {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
@@ -401,8 +401,8 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(NoIntegral);
         }
-        // For a rotation, u̇/m + δy is 0 for each y. For `first` this sum may be another constant;
-        // then the constant term of I is changed.
+        // The sum u̇/m + δy must be 0 for each y. For `first` it may be another constant, because a
+        // change of the constant term of I makes it 0.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;

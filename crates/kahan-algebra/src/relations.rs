@@ -1,8 +1,8 @@
 //! Solves relations between parameters and ε for names that occur linearly.
 //!
 //! The result gives some names as rational functions of the other names. If a relation a·v + b = 0
-//! is solved for v, a is assumed to be nonzero, and later relations are divided by its factors. If
-//! a and b are coprime, a·v + b is irreducible, and the solutions do not depend on the choice of v.
+//! is solved for v, a is assumed not to be 0, so its factors are cancelled in later relations. If a
+//! and b are coprime, a·v + b is irreducible, and the solutions do not depend on the choice of v.
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, WithinBudget, gcd_within};
 use crate::rational_function::RationalFunction;
@@ -115,7 +115,7 @@ impl Relations {
             let nonzero = self.nonzero[index].clone();
             own = without(own, &nonzero, &mut self.budget)?;
         }
-        // For v = `name`, `own` = a·v + b is a product if a and b have a common factor.
+        // Let `own` = a·v + b with v = `name`. A common factor of a and b divides `own`.
         let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
             return Ok(());
         };

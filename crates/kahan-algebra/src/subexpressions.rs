@@ -224,7 +224,7 @@ fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
 
 impl FieldWithSubexpressions {
     /// Builds a field with only those subexpressions that its components need. If ε occurs only in
-    /// even powers, ε² becomes the first subexpression.
+    /// even powers, these become powers of a subexpression ε², the first one.
     pub(crate) fn new(values: Subexpressions, components: Vec<Polynomial>) -> Self {
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -297,8 +297,8 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions::new(values, components)
     }
 
-    /// Returns the field with one vector of derivatives for each entry of `by`. The names are those
-    /// of `tangent`.
+    /// Returns the field extended by a vector of derivatives for each quantity in `by`. `tangent`
+    /// contains the names of the extended field.
     pub(crate) fn sensitivities(&self, symbols: &Symbols, tangent: &Symbols, by: &[Sensitivity]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =
@@ -328,7 +328,7 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions::new(Subexpressions::of(tangent).with(renamed), components)
     }
 
-    /// Returns ∂f/∂a for a parameter a. For ε, returns f + ε ∂f/∂ε, which the caller divides by ε.
+    /// Returns ∂f/∂a for a parameter a, and f + ε ∂f/∂ε for ε. The caller divides the latter by ε.
     fn parameter_derivatives(
         &self,
         symbols: &Symbols,
@@ -367,14 +367,14 @@ impl FieldWithSubexpressions {
         (values, rows)
     }
 
-    /// Replaces subexpressions without states by parameters. Returns `field` unchanged if the
-    /// replacement would change which monomials in the states occur.
+    /// Replaces subexpressions without states by parameters. Returns `field` unchanged if other
+    /// monomials in the states would then occur.
     pub(crate) fn with_constants(&self, field: &Field) -> FieldWithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
-    /// Replaces subexpressions by parameters if they contain no variable for which `varies` holds.
-    /// Returns `field` unchanged if a divisor contains such a variable.
+    /// Replaces a subexpression by a parameter if `varies` is false for all its variables. Returns
+    /// `field` unchanged if `varies` is true for a variable of a divisor.
     pub(crate) fn with_values_free_of(
         &self,
         field: &Field,
@@ -431,7 +431,7 @@ impl FieldWithSubexpressions {
     /// Returns whether a step that is planned from expanded sums may lose digits.
     ///
     /// This may happen if a term contains two written sums, or a constant and a sum as in
-    /// `(y - 1)/s`. A sum that contains the state xᵢ is harmless in ẋᵢ, because a large constant
+    /// `(y - 1)/s`. A sum that contains the state xᵢ is harmless in ẋᵢ, because its constant factor
     /// then also occurs on the diagonal of A. All subexpressions must be sums.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let is_sum = |variable: Variable| self.values.place(variable).is_some();
@@ -484,7 +484,7 @@ impl FieldWithSubexpressions {
 }
 
 impl FieldWithConstants {
-    /// Returns the expanded field without added parameters.
+    /// Returns the expanded field, in which no subexpression became a parameter.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
         let values = Subexpressions::of(&symbols);

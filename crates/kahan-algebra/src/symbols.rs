@@ -99,8 +99,8 @@ impl Symbols {
         self.degree(polynomial) > 0
     }
 
-    /// Divides a polynomial in the states by the gcd of its coefficients, polynomials in the
-    /// parameters, and scales it to coprime integers with positive leading coefficient. 0 stays 0.
+    /// Divides a polynomial by the gcd of its coefficients, which may contain parameters but no
+    /// states. Scales it to coprime integers with positive leading coefficient. 0 stays 0.
     #[must_use]
     pub fn primitive_part(&self, polynomial: &Polynomial) -> Polynomial {
         let groups = polynomial.group(|variable| self.is_state(variable));

@@ -19,8 +19,8 @@ impl System {
     }
 
     /// Returns the system for x and a vector of derivatives for each entry of `by`, without claims.
-    /// Names of derivatives begin with `d`. For [`Sensitivity::Epsilon`], the last parameter is
-    /// 1/ε.
+    /// Names of derivatives begin with `d`. For [`Sensitivity::Epsilon`], the system gets a further
+    /// parameter 1/ε, the last one.
     #[must_use]
     pub fn sensitivities(&self, by: &[Sensitivity]) -> System {
         let field = &self.field;

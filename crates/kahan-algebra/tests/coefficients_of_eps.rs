@@ -11,7 +11,7 @@ use kahan_algebra::read;
 use kahan_algebra::system::System;
 use kahan_algebra::variational::Sensitivity;
 
-/// With k = ε², a factor cancels in the map of this field.
+/// If k is replaced by ε², a factor of this field's map cancels and must be divided out.
 const REPAIRED: &str = "struct P { b, k } xdot = x^2; ydot = (1 - k*b^2)*x*y + b*y;";
 
 /// The parameter `k` is replaced by ε².

@@ -203,7 +203,7 @@ fn names_that_are_used_are_states() {
     assert_eq!(checked("struct S { t } xdot = t*x;").diagnostics(), []);
 }
 
-/// If a derivative such as `xdot` became a parameter, claims about a misread field would be proved.
+/// A name such as `xdot` must not become a parameter, or claims about a misread field would hold.
 #[test]
 fn no_name_of_a_derivative_is_taken_for_a_parameter() {
     for text in [

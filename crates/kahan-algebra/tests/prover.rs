@@ -160,7 +160,7 @@ fn conditions_specialise_the_map() {
 
 #[test]
 fn a_claim_where_there_is_no_map_says_so() {
-    // For this field, det A is 1 − ε.
+    // For this field, det A is 1 − ε, so there is no map at ε = 1.
     let text = "xdot = x; integral F = x when eps = 1;";
     assert_eq!(verdicts(text), [Verdict::NoMap]);
     assert!(reading(text).diagnostics()[0].message.contains("eps = 1"));

@@ -191,7 +191,7 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     let e1 = field(FIELDS[1].1);
     let step = StepPlan::of(&e1).expect("E1 is small");
     let at = |x: Rational| [x, Rational::from(2), Rational::from(3), Rational::new(1, 2)];
-    // The denominator is (1 − εx)(1 + 2εx), but det A has the further factor 1 + εx.
+    // The map has the denominator (1 − εx)(1 + 2εx). The factor 1 + εx of det A cancels.
     assert!(next(&step, &at(Rational::from(2))).is_none());
     assert!(next(&step, &at(Rational::from(-1))).is_none());
     assert!(next(&step, &at(Rational::from(-2))).is_some());

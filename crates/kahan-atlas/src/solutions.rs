@@ -41,7 +41,7 @@ fn table(found: &AtlasContent<'_>, id: &str, caption: &str, prefix: &str) -> Mar
     table_of_formulas(id, caption, &headings, SYSTEMS.iter().filter(solved).map(cells))
 }
 
-/// Writes the cell of a table for a system and a column, with a link to its claim.
+/// Writes a table's cell with a link to its claim. `cell_of` names the table, system and column.
 fn entry(found: &AtlasContent<'_>, cell_of: [&str; 3]) -> Markup {
     let Some(checked) = found.claim(&Id::of(cell_of)) else { return html! { "not checked" } };
     let items = latex_of(&checked.claim.statement).unwrap_or_default();

@@ -19,7 +19,7 @@ fn value(row: &StructureRow, name: &str) -> Markup {
     html! { @if let Some(value) = row.value(name) { (cell(&latex(value))) } }
 }
 
-/// Returns the names of a tensor's entries {x,y}, {y,z} and {z,x}, with the suffix `_eps` for maps.
+/// Returns the names of a tensor's entries {x,y}, {y,z} and {z,x}, each with `suffix` at its end.
 fn entries(tensor: &str, suffix: &str) -> [String; 3] {
     ["12", "23", "31"].map(|entry| format!("{tensor}{entry}{suffix}"))
 }
@@ -28,7 +28,8 @@ fn rows(wanted: impl Fn(&StructureRow) -> bool) -> Vec<&'static StructureRow> {
     SYSTEMS.iter().filter_map(|entry| structure(entry.command)).filter(|row| wanted(row)).collect()
 }
 
-/// Writes the worst outcome among these claims, with a link to a claim that has this outcome.
+/// Writes the outcome of the first failed claim, with a link to it. Without a failed claim, takes
+/// the first one with a misprint, or else the first claim.
 fn verdict(found: &AtlasContent<'_>, names: &[[&str; 2]]) -> Markup {
     let claims: Vec<&CheckedClaim<'_>> = names.iter().flat_map(|parts| found.claims_of(parts)).collect();
     let failed = claims.iter().find(|checked| checked.established.outcome == Outcome::Failed);

@@ -76,7 +76,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // A misspelled name may be the reason why a degree is refused, so notes are printed then, too.
+    // A misspelled name may raise the degree, so notes are also printed if the degree is refused.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));

@@ -6,7 +6,7 @@ use kahan_core::num_traits::{One, Zero};
 /// The number of stored Bernoulli numbers, which suffice for 256 bits at arguments of 40 or more.
 const COUNT: usize = 64;
 
-/// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈, computed from Σ_{j≤m} C(m+1, j) B_j = 0.
+/// Returns the Bernoulli numbers B₂, …, B₁₂₈ from B₀ = 1 and Σ_{j≤m} C(m+1, j) B_j = 0 for m ≥ 1.
 pub(super) fn even_numbers() -> Vec<BigRational> {
     let order = 2 * COUNT;
     let mut all: Vec<BigRational> = Vec::with_capacity(order + 1);
@@ -36,8 +36,6 @@ mod tests {
         assert_eq!(numbers[0], ratio(1, 6));
         assert_eq!(numbers[1], -ratio(1, 30));
         assert_eq!(numbers[5], -ratio(691, 2730));
-        // By von Staudt and Clausen, the denominator is the product of the primes p with p − 1
-        // | 20.
         assert_eq!(numbers[9].denom(), &(2 * 3 * 5 * 11).into());
     }
 }

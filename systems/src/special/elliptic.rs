@@ -60,7 +60,6 @@ impl<T: Real> Modulus<T> {
     fn incomplete(&self, phi: &T) -> T {
         let half_turns = (*phi / T::pi() + T::half()).floor();
         let (sine, cosine) = phi.sin_cos();
-        // Subtracting multiples of π from φ makes the cosine nonnegative.
         let (sine, cosine) = if cosine.is_negative() { (-sine, -cosine) } else { (sine, cosine) };
         let whole = if half_turns.is_zero() {
             T::zero()
@@ -125,7 +124,7 @@ fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
 fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);
-    // The series neglects terms of degree 8 in `spreads`.
+    // The series neglects terms of degree 8 in `spreads`, which `bound` keeps below the precision.
     let bound = T::epsilon().sqrt().sqrt().sqrt() * quarter;
     loop {
         let mean = (x + y + z) * third;

@@ -1,7 +1,7 @@
-//! Ratios of Γ and differences of ψ at neighbouring arguments, without cancellation. The centred
-//! ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) has a logarithm with an asymptotic series in even
-//! powers of 1/w. The coefficients are Bernoulli polynomials B_{2m+1}: ln R = 2σ ln w − Σ_{m≥1}
-//! B_{2m+1}(1/2 + σ)/(m(2m+1) w^(2m)).
+//! Ratios of Γ and differences of ψ at the arguments w + 1/2 ± σ, without cancellation for large w.
+//! The logarithm of R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) has an asymptotic series in 1/w, with
+//! Bernoulli polynomials B_{2m+1} as coefficients: ln R = 2σ ln w − Σ_{m≥1} B_{2m+1}(1/2 +
+//! σ)/(m(2m+1) w^(2m)).
 
 use super::Real;
 use super::gamma::{asymptotic_from, cos_pi, sin_pi, steps_up, sum_in_inverse_squares};
@@ -24,9 +24,9 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 
 /// Returns the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) for real w and σ.
 ///
-/// If 2σ is an integer up to ±64, R or its reciprocal is a polynomial, which is evaluated.
-/// Otherwise a series gives R at a larger argument, and a recurrence with at most about 12 + 2|σ|
-/// factors leads back to w (40 + 2|σ| in [`Float256`](super::Float256)).
+/// If 2σ is an integer with |2σ| ≤ 64, R or its reciprocal is a polynomial, which is evaluated.
+/// Otherwise a series gives R at a larger argument, and a recurrence leads back to w. The
+/// recurrence has at most about 12 + 2|σ| factors, in [`Float256`](super::Float256) 40 + 2|σ|.
 ///
 /// In `f64`, for |σ| ≤ 3, the error is at most 4 ulp for w ≥ 20, and 40 ulp for 0 ≤ w ≤ 20. For
 /// −20 ≤ w < 0 the error is at most 64 ulp away from the poles.
@@ -62,8 +62,6 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     let two = T::from_int(2);
     if is_reflected(w, sigma) {
-        // With f = w minus the nearest integer, `tangents` is the derivative by w of ln(R(w,
-        // σ)/R(−w, σ)) = ln(cos π(σ−f)/cos π(σ+f)).
         let fold = fold(w);
         let cosines = cos_pi(&(*sigma - fold)) * cos_pi(&(*sigma + fold));
         let tangents = T::pi() * sin_pi(&(two * *sigma)) / cosines;

@@ -1,10 +1,11 @@
-//! Sums series from an index N to infinity by asymptotic expansions, for the integrals K̂₇ and K̂₈.
+//! Sums series from an index N to infinity by asymptotic expansions. Integrals of the maps of E7
+//! and E8 contain these series.
 //!
 //! Let w_j = N + j + 1/2 for j ≥ 0. The summands are Σ_i w_j^(−s−2i)(a_i + b_i ln w_j + c_i ln²
-//! w_j) with coefficients a_i, b_i, c_i. The midpoint form of the Euler–Maclaurin formula sums each
-//! power: Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))].
-//! Derivatives by s yield the logarithms, computed by polynomials in η for the exponent s + η
-//! (jets).
+//! w_j) with coefficients a_i, b_i, c_i. The Euler–Maclaurin formula for midpoints sums each power:
+//! Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))]. Derivatives
+//! with respect to s yield the logarithms. They are the coefficients of a polynomial in η, a jet,
+//! for the exponent s + η.
 
 use super::Real;
 use super::gamma::asymptotic_from;
@@ -13,7 +14,7 @@ use super::gamma_ratio::{binomial_sum, middle_values};
 /// A jet z₀ + z₁η + z₂η², where η³ = 0.
 type Jet<T> = [T; 3];
 
-/// Returns the least N for which the expansions have full precision, for |ξ| at most |`size`|.
+/// Returns the least N for which the expansions have full precision if |ξ| ≤ |`size`| for E7's ξ.
 pub(crate) fn asymptotic_start<T: Real>(size: &T) -> i64 {
     2 * asymptotic_from::<T>() + 4 * size.abs().to_f64().ceil() as i64
 }
@@ -40,8 +41,8 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     *xi * T::half() * tail(n, &(T::from_int(2) * *xi + T::one()), &terms)
 }
 
-/// Returns the sum Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)). Here Y_j is
-/// h − ψ(N + j + 1/2) with the digamma function ψ. Requires N ≥ [`asymptotic_start`].
+/// Returns the sum Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)). Here Y_j =
+/// `h` − ψ(N + j + 1/2) with the digamma function ψ. Requires N ≥ [`asymptotic_start`].
 ///
 /// With w = N + j + 1/2, Bernoulli numbers B₂ₘ, and D = h + Σ B₂ₘ/(2m w^(2m)) − ln w, the term with
 /// index j is (D + D² − 1/(4w²))/(2w(w² − 1)).
@@ -123,7 +124,7 @@ fn exponential<T: Real>(series: &[T]) -> Vec<T> {
     result
 }
 
-/// Divides a power series in v by 1 − v.
+/// Divides a power series in w⁻² by 1 − w⁻².
 fn divide_by_one_minus_square<T: Real>(series: Vec<T>) -> Vec<T> {
     let mut total = T::zero();
     let sum = |value| {

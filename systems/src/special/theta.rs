@@ -58,8 +58,8 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
             sum.three += term * c;
             sum.four += alternating(term * c);
         }
-        // The bound is relative to the first term of ϑ₁ and ϑ₂, so that these stay precise for
-        // small q.
+        // The bound is proportional to `quarter`, as are the first terms of ϑ₁ and ϑ₂. Therefore
+        // both stay precise for small q.
         if term < T::epsilon() * T::half() * quarter {
             break;
         }

@@ -100,9 +100,9 @@ const BY_HAND: [(&str, usize); 8] = [
     // D = (1 + (Y−X)) + e((X+Y)−e), n = d·x·((1−y)−(X−e)), m = d·y·((x−1)+(e−Y)): 13 additions, 9
     // multiplications, 1 division.
     ("lv", 23),
-    // 11 additions, 23 multiplications, 1 division. With p, q, r = e·(coefficient): D = ((1 − pz·(q
-    // z)) − (qx·(r x) + ry·(p y))) − (qx·ry)·(pz+pz), n₁ = 2p·(y+qx·z)·(z+ry·x), …, where qx means
-    // q·x.
+    // Let p, q, r be e times the coefficients, and qx = q·x and so on. Then D = ((1 − pz·(q z)) −
+    // (qx·(r x) + ry·(p y))) − (qx·ry)·(pz+pz), n₁ = 2p·(y+qx·z)·(z+ry·x), …: 11 additions, 23
+    // multiplications, 1 division.
     ("euler", 35),
     // D = (1+dx)(1−X), n₁ = x·(dx·(1−X)), n₂ = y·(dx·(1−X)), n₃ = d·y·(y+y) + z·(dx·(1+X)): 8
     // additions, 13 multiplications, 1 division.
@@ -117,15 +117,15 @@ const BY_HAND: [(&str, usize); 8] = [
     // = x−z, a = d(y + (X+Z)δ), b = δ + Y·s, c = s − T·δ. The numerators are a·((z+z) − x·u),
     // d·b·c, a·(z·v − (x+x)): 19 additions, 26 multiplications, 1 division.
     ("e6", 46),
-    // Let σ, ρ, β be e times the parameters. Prepared constants are c₀, c₁, c₂, t₀, k = 1+σ, ke =
-    // k·e, σe = σ·e, b₁ = 1+β and b₁e = b₁·e. Then D = X(ke·x + σe·y) + (c₀ + c₁·z), q = 2(x + σy),
-    // R = ρ−Z, T = t₀ + σZ, n₁ = 2σ(b₁·y + x((c₂−Z) − X²)), n₂ = q(b₁·R − X·Y) − 2k(b₁e·y −
+    // Let σ, ρ, β be e times the parameters. The constants c₀, c₁, c₂, t₀ contain no state. Let k =
+    // 1+σ, ke = k·e, σe = σ·e, b₁ = 1+β, b₁e = b₁·e. Then D = X(ke·x + σe·y) + (c₀ + c₁·z), q = 2(x
+    // + σy), R = ρ−Z, T = t₀ + σZ, n₁ = 2σ(b₁·y + x((c₂−Z) − X²)), n₂ = q(b₁·R − X·Y) − 2k(b₁e·y −
     // β(X·z)), n₃ = q(R·X + Y) − (2σ·X·Y + 2β·z·T): 19 additions, 29 multiplications, 1 division.
     ("lorenz", 49),
-    // With cyclic (i, j, k) and parameters w: c = (w₃−w₂, …), P = e·p, fᵢ = e·cᵢ·pⱼ, gᵢ = e·cᵢ·pₖ,
-    // aᵢ = e·mᵢ + fᵢ·Pₖ, dᵢ = 1 + (Pₖ·fⱼ − Pⱼ·gₖ), s = Σ dᵢaᵢ², q = Σ dᵢaᵢpᵢ, D = d₁d₂d₃ + s, nᵢ =
-    // 2dⱼdₖ(p×a)ᵢ + (2q·aᵢ − 2s·pᵢ), p̃ = p + n/D, m̃ᵢ = mᵢ + (fᵢ·p̃ₖ + gᵢ·p̃ⱼ): 37 additions, 59
-    // multiplications, 1 division.
+    // Let m and p be the states, w the parameters and (i, j, k) cyclic: cᵢ = wₖ−wⱼ, P = e·p, fᵢ =
+    // e·cᵢ·pⱼ, gᵢ = e·cᵢ·pₖ, aᵢ = e·mᵢ + fᵢ·Pₖ, dᵢ = 1 + (Pₖ·fⱼ − Pⱼ·gₖ), s = Σ dᵢaᵢ², q = Σ
+    // dᵢaᵢpᵢ, D = d₁d₂d₃ + s, nᵢ = 2dⱼdₖ(p×a)ᵢ + (2q·aᵢ − 2s·pᵢ), p̃ = p + n/D, m̃ᵢ = mᵢ + (fᵢ·p̃ₖ
+    // + gᵢ·p̃ⱼ): 37 additions, 59 multiplications, 1 division.
     ("clebsch", 97),
 ];
 

@@ -78,7 +78,7 @@ fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
         let h = ten_to_minus(16);
         let coarse = slope(&(Float256::from_int(2) * h));
         let fine = slope(&h);
-        // Richardson's extrapolation has the error 10^(−64), below the rounding error 10^(−60).
+        // The extrapolated slope has an error near 10^(−64); rounding adds about 10^(−60).
         let extrapolated = fine + (fine - coarse) / Float256::from_int(3);
         assert_close(&(extrapolated * field[0]), &Float256::from_int(1), 50, "dt/dx");
     }
@@ -100,8 +100,8 @@ fn fixed_points_are_fixed_and_on_the_sphere() {
 
 #[test]
 fn a_small_closed_trajectory_has_the_period_of_the_linearisation() {
-    // Near the fixed point (√(−ξ) a, a, 0), the linearised field has the frequency ω with ω² =
-    // 2(1−ξ)(−ξ)a².
+    // E9 has the fixed point (√(−ξ) a, a, 0) with a²(1 − ξ) = 1. There the linearised field has the
+    // frequency ω with ω² = 2(1−ξ)(−ξ)a².
     let xi = number("-1/2");
     let fixed = &e9::fixed_points(&xi, &number("1"))[2];
     let mut near = *fixed;

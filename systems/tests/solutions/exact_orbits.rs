@@ -102,10 +102,9 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
 }
 
 /// Returns the largest error of an `f64` solution against 8 backward and 12 forward steps in 256
-/// bits. The unit is 2⁻⁵² times the norm of the point times a condition number.
-///
-/// This number is (1 + |argument|)·max(1, |ε|·rate·norm), because the argument is rounded, and
-/// large points are near poles. `rate` is the size of the coefficients.
+/// bits. The unit is 2⁻⁵² · norm · (1 + |argument|) · max(1, |ε|·rate·norm), where `norm` is that
+/// of the point, and `rate` is the size of the coefficients. The last two factors allow for the
+/// rounded argument and for points near poles.
 pub(crate) fn ulps<M>(
     map: M,
     case: &Rounded,

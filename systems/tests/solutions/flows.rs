@@ -1,5 +1,5 @@
-//! Tests to 40 digits that solutions (Hone and Petrera, Table 5, and related ones) satisfy the
-//! differential equations, with central differences of order 12 and h = 10^(−6).
+//! Tests to 40 digits that solutions of the flows satisfy the differential equations, with central
+//! differences of order 12 and h = 10^(−6).
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;

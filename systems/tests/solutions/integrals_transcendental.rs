@@ -129,8 +129,8 @@ fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
             let moved = jacobian * e7::bracket_of_h(&xi, &start, &eps) * jacobian.transpose();
             let next = map.step(&start, eps);
             assert_same(&e7::bracket_of_h(&xi, &next, &eps), &moved);
-            // The bracket must satisfy P dH = 0. Central differences and one extrapolation give the
-            // gradient.
+            // The bracket P must satisfy P ∇H = 0. Central differences and one Richardson
+            // extrapolation give ∇H.
             let gradient = Point::from([0, 1, 2].map(|i| {
                 let slope = |h: Float256| {
                     let along = |sign: i64| {

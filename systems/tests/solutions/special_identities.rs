@@ -96,8 +96,8 @@ fn the_centred_difference_is_the_difference_of_digammas() {
     }
 }
 
-/// Returns the complete elliptic integral of the second kind, E(k) = K(1 − Σ 2^(n−1) c_n²), with
-/// numbers c_n from the arithmetic-geometric mean.
+/// Returns the complete elliptic integral of the second kind, E(k) = K(1 − Σ 2^(n−1) cₙ²). Here c₀
+/// = k, and cₙ = (aₙ₋₁ − bₙ₋₁)/2 with the arithmetic-geometric mean of a₀ = 1 and b₀ = √(1 − k²).
 fn second_kind(k: &Float256) -> Float256 {
     let (mut a, mut b) = (int(1), ((int(1) - *k) * (int(1) + *k)).sqrt());
     let mut c = *k;

@@ -103,7 +103,7 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// Returns whether |ε| is neither too small nor too large to multiply by 1/ε.
+            /// Returns whether |ε| is in the range in which a step may divide by ε.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }

@@ -63,7 +63,7 @@ impl FractionSize {
 pub struct SizeArithmetic;
 
 impl SizeArithmetic {
-    /// Bounds every determinant of n columns of `rows`.
+    /// Bounds the determinants of all choices of n columns of `rows`.
     ///
     /// The matrix `rows` has n rows with at least n entries. The common denominator is the product
     /// of all denominators. Each of the n! terms contains one numerator from each row.

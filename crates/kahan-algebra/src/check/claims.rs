@@ -84,8 +84,8 @@ pub(super) fn compile_all(
     claims
 }
 
-/// Reports names that G must not contain in `drift F by G`: unknown names, states and densities. In
-/// G, the name of the claim stands for F(x).
+/// Reports unknown names, states and densities in G, which `drift F by G` must not contain. In G,
+/// the name of the claim stands for F(x).
 fn resolve_next(
     next: &Expr,
     claim: &syntax::Claim,

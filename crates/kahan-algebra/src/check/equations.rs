@@ -56,8 +56,8 @@ fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Exp
     }
 }
 
-/// Reports coefficients with odd powers of ε or without a value at ε = 0. In a family, reports any
-/// ε.
+/// Reports coefficients that contain odd powers of ε or are undefined at ε = 0. In a family,
+/// reports every coefficient that contains ε.
 fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope) -> Result<(), Diagnostic> {
     let eps = scope.symbols.epsilon();
     let Expansion { numerator, denominator, .. } = expansion;
@@ -118,7 +118,7 @@ fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     (format!("the term `{}`", Text.product(&powers)), product)
 }
 
-/// Returns the place where the degree first exceeds 2.
+/// Returns the span of the factor with which the degree in the states first exceeds 2.
 fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
     let degree = |expr: &Expr| {
         expand_unkept(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator))

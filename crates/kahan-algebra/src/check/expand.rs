@@ -128,7 +128,7 @@ impl LoweringTarget for FractionExpander<'_> {
         Expansion { numerator: -&a.numerator, denominator: a.denominator, kept, order }
     }
 
-    /// Adds terms with equal denominators first. The cost of a long sum is then that of sorting.
+    /// Adds terms with equal denominators first. A long sum then costs about as much as a sort.
     fn sum(&mut self, terms: Vec<(bool, Expansion)>, span: Span) -> Result<Expansion, Diagnostic> {
         if terms.iter().map(|(_, term)| term.numerator.len()).sum::<usize>() > 4 * MOST_TERMS {
             return Err(too_large(span));
@@ -214,7 +214,7 @@ impl LoweringTarget for FractionExpander<'_> {
         }
         if let Some(value) = number {
             if value.is_zero() || value.bits() <= 1 {
-                // The value is 0, 1 or −1. The power 0^0 is 1.
+                // The base is 0, 1 or −1, so every exponent is allowed. The power 0^0 is 1.
                 let one = exponent == 0 || (value.is_negative() && exponent.is_multiple_of(2));
                 return Ok(self.number(&if one { Rational::one() } else { value }));
             }

@@ -256,8 +256,8 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports site parameters that are undefined beyond an end of the chain. States beyond an end are
-/// 0, so a term that contains a state at the same site or farther out is allowed.
+/// Reports site parameters that are undefined beyond an end of the chain. Terms that are 0 there
+/// may contain them: a state at the same site or farther out is 0 beyond the end.
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =

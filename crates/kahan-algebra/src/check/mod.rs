@@ -172,7 +172,7 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
-    // Factors as written may contain odd powers of ε that cancel, but the step needs powers of ε².
+    // Factors as written may contain odd powers of ε that cancel. Then the expanded field is used.
     let kept = if kept.has_odd_powers_of_eps() { FieldWithSubexpressions::of(&field) } else { kept };
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols = scope.symbols.clone();

@@ -112,8 +112,7 @@ impl Scope {
         diagnostics: &mut Diagnostics,
     ) {
         let name = &*reference.to_string();
-        // For an equation `dxdt = …`, the left-hand side is reported instead of the unknown name
-        // `x`.
+        // An equation `dxdt = …` is reported instead of the unknown name `x`.
         if self.misspelt_states.iter().any(|left| left.contains(name)) {
             return;
         }

@@ -5,7 +5,7 @@ use crate::symbols::Symbols;
 
 use super::names::{constant_names, listed_constants, listed_kernel};
 
-/// The plan of a step as lines `name = left + right`. A line with a product and a sum is one
+/// The plan of a step as lines `name = left + right`. A line such as `a = b*c + d` is one
 /// multiply-add.
 ///
 /// The name `eps` means half the time step. Names `reciprocal_1`, `reciprocal_2` and so on mean a

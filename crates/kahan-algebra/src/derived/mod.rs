@@ -77,7 +77,7 @@ struct LazyPlans {
     carry: OnceLock<Option<(Symbols, Plan)>>,
 }
 
-/// Derives the plans of a system. Plans that methods return are made at first use.
+/// Derives the plans of a system. Plans that methods return are derived at their first call.
 ///
 /// The cost is that of [`RationalMap::of`], some milliseconds for a system of the catalog.
 #[must_use]
@@ -115,14 +115,14 @@ struct PlannedField {
 }
 
 impl PlannedField {
-    /// Replaces subexpressions without states by parameters. Returns the field unchanged if a
-    /// common factor of its map would then no longer cancel.
+    /// Replaces subexpressions without states by parameters. Returns the field unchanged if this
+    /// would hide a common factor that cancels in its map.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return PlannedField { with_constants: with, map: map.cloned() };
         };
-        // If the field depends on ε, ε² becomes a parameter, so degrees in ε are not compared.
+        // If the field depends on ε, a parameter replaces ε², and degrees in ε are not comparable.
         let counts_eps = !system.field.depends_on_eps();
         let is_as_short = |own: &RationalMap| {
             let (symbols, others) = (&with.field.symbols, &system.field.symbols);

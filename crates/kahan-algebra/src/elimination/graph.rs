@@ -69,11 +69,11 @@ impl Graph {
     /// Returns all entries, including fill-in, of an elimination in the given order. Returns `None`
     /// if elimination needs more multiplications than `bound`.
     ///
-    /// A row inherits the columns right of the diagonal from the rows of its pivots. Suppose that
-    /// row p has an entry in column q, and row q one in column p. Then row q inherits the columns
-    /// of row p right of q, so rows below q read row p only up to column q (S. C. Eisenstat and J.
-    /// W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If this holds for all pairs p and
-    /// q, the cost is proportional to the number of entries.
+    /// A row inherits the columns right of the diagonal from the rows of its pivots. Let p < q, and
+    /// let row p have an entry in column q, and row q one in column p. Then row q inherits the
+    /// columns of row p right of q, so rows below q read row p only up to column q (S. C. Eisenstat
+    /// and J. W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If the pattern is
+    /// symmetric, the cost is proportional to the number of entries.
     pub(super) fn filled(&self, order: &[usize], bound: Option<EliminationCost>) -> Option<FilledPattern> {
         let most_products = bound.map_or(usize::MAX, |bound| bound.products);
         let turns = positions(order);

@@ -50,7 +50,7 @@ pub struct Couplings {
     pub slopes: Plan,
 }
 
-/// Indices into the entries: the beginning, own block, diagonal and end of a row.
+/// The positions in the list of entries at which a row and its parts begin and end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
     /// The position of the first entry. Entries before `own` are in columns of earlier blocks.

@@ -4,8 +4,8 @@
 //! the smallest interval that contains its sites. A sum over the sites vanishes in all chains if
 //! and only if the terms of each extent cancel separately.
 //!
-//! Proof of "only if": let S(a, b) be the sum over the chain of the sites a to b. In S(a, b) −
-//! S(a+1, b) − S(a, b−1) + S(a+1, b−1), exactly the terms with extent [a, b] remain.
+//! Proof of "only if": let S(a, b) be the sum for a chain that consists of the sites a to b. In
+//! S(a, b) − S(a+1, b) − S(a, b−1) + S(a+1, b−1), exactly the terms with extent [a, b] remain.
 
 use kahan_syntax::syntax::Boundary;
 
@@ -24,8 +24,8 @@ pub(super) fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// The first and the last site that must exist if a term is to occur. In a ring, both are the
-/// middle site.
+/// The first and the last site that a chain must contain for a term to occur in it. In a ring every
+/// term occurs, and both are the middle site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct SiteRange {
     pub first: usize,

@@ -38,7 +38,7 @@ impl Family {
     }
 
     /// Returns the system of a chain with the linear integrals as claims, or `None` if a divisor is
-    /// identically 0 at some site. In a short periodic chain, a site is its own neighbour.
+    /// identically 0 at some site. In a short ring, a site may be its own neighbour.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> Option<System> {
         let chain = self.chain(sites);

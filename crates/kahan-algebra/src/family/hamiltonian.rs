@@ -1,9 +1,9 @@
-//! Finds a constant antisymmetric matrix K with ẋ = K∇H. The entry of K for two states depends only
-//! on their arrays and on the distance of their sites.
+//! Finds a constant antisymmetric matrix K with ẋ = K∇H for the Hamiltonian H of a family. The
+//! entry of K for two states depends only on their arrays and the difference of their sites.
 //!
-//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f. This follows from x̃ − x
-//! = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
-//! 025201).
+//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f, where f is the field and
+//! A = I − εf′. This follows from x̃ − x = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R.
+//! W. Quispel, J. Phys. A 46 (2013) 025201).
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -86,8 +86,8 @@ struct Term {
 struct RowTerm {
     monomial: Monomial,
     extent: SiteRange,
-    /// The index of the unknown entry of K that multiplies the term. In terms of ẋ, which have no
-    /// unknown factor, this is the number of unknowns.
+    /// The index of the unknown entry of K that multiplies the term. Terms of ẋ have no unknown
+    /// factor; their index is one past the last unknown.
     unknown: usize,
     coefficient: Polynomial,
 }
@@ -126,8 +126,8 @@ pub(super) fn find_unmatched_term(
             }
         }
     }
-    // In short chains, some sites and the terms that contain them are missing. Therefore terms with
-    // equal monomials must cancel within each range of sites.
+    // A short chain lacks some sites, and with them some terms. Therefore terms with equal
+    // monomials must cancel separately for each `extent`.
     for (array, mut terms) in rows.into_iter().enumerate() {
         let order = |term: &RowTerm| (term.extent.sites(), term.extent.first);
         terms.sort_by_key(order);
@@ -231,7 +231,7 @@ fn relative_monomial(middle: &MiddleSite<'_>, monomial: &Monomial) -> String {
     if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
 }
 
-/// Linear equations in row echelon form. The column `unknowns` is the right-hand side.
+/// Linear equations in row echelon form. In each row, index `unknowns` is the right-hand side.
 struct Equations {
     unknowns: usize,
     /// The rows, by the index of their first unknown, which has the coefficient 1.

@@ -28,7 +28,7 @@ pub fn maximal_minors(rows: &[Vec<Polynomial>], budget: &mut Budget) -> WithinBu
                     continue;
                 }
                 let product = minor.mul_within(entry, budget)?;
-                // The entry changes the sign once for each chosen column to its right.
+                // Each chosen column to the right of `column` changes the product's sign.
                 let odd = (chosen >> column).count_ones() % 2 == 1;
                 let product = if odd { -&product } else { product };
                 let sum = next.or_default(chosen | 1 << column);

@@ -27,7 +27,7 @@ const STEP_SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 const FIRST_ROUND_POINTS: usize = 25;
 /// The number of points of each size in the second round.
 const SECOND_ROUND_POINTS: usize = 100;
-/// The limit for the ratio of a step's median error to that of elimination.
+/// A step's median error may be at most this multiple of that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
 /// Median errors of elimination are raised to at least this multiple of the unit roundoff.
 const LEAST_MEDIAN_ERROR: f64 = 10.0;
@@ -39,7 +39,7 @@ const LEAST_TAIL_ERROR: f64 = 1000.0;
 const REFUSAL_RATIO: f64 = 1.5;
 /// A step can replace a refused step if its errors are at most this fraction of their limits.
 const REPLACEMENT_RATIO: f64 = 1.0 / 6.0;
-/// The second round is skipped if the largest likely ratio of errors to their limits is below this.
+/// A second round is skipped if the upper bound `Ratio::largest` is below this.
 const CLEARLY_WITHIN_RATIO: f64 = 0.2;
 /// A second round is skipped if the errors of the first round exceed their limits by this factor.
 const CLEARLY_BEYOND_RATIO: f64 = 3.0 * REFUSAL_RATIO;
@@ -62,7 +62,7 @@ pub(super) struct Accuracy<'a> {
 #[derive(Debug)]
 pub(super) struct AccuracyLoss(Vec<Ratio>);
 
-/// The measured and the largest likely ratio of errors to their limit.
+/// The measured ratio of errors to their limit, and an upper confidence bound of this ratio.
 #[derive(Clone, Copy, Debug)]
 struct Ratio {
     measured: f64,
@@ -93,7 +93,7 @@ impl<'a> Accuracy<'a> {
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= REPLACEMENT_RATIO)
     }
 
-    /// Returns whether a plan that maps x, v and x̃ to the image of the tangent vector v is
+    /// Returns whether `carry`, a plan that maps x, v and x̃ to the image of a tangent vector v, is
     /// accurate enough. The sample points must be those of the variational field.
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
         let program = FloatPlan::of(carry);
@@ -167,7 +167,8 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Returns the ratio of errors to their limit at the median or at `TAIL`, whichever is larger.
+/// Returns the ratio of errors to their limit at the median or at [`TAIL_QUANTILE`], whichever
+/// ratio is larger.
 fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     if trials.len() < FIRST_ROUND_POINTS {
         return Ratio { measured: 0.0, largest: 0.0 };
@@ -175,7 +176,7 @@ fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     let own = sorted_by(trials.iter().map(error), f64::total_cmp);
     let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
     let band = MEDIAN_BAND_FACTOR / (trials.len() as f64).sqrt();
-    // A positive `shift` gives a pessimistic ratio.
+    // A positive `shift` takes quantiles at which `own` is large and `others` small.
     let ratio = |shift: f64| {
         let of_medians = quantile(&own, 0.5 + shift)
             / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(LEAST_MEDIAN_ERROR));

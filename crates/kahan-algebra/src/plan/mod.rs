@@ -39,9 +39,9 @@
 //! | signs of reciprocals (`step::reciprocals`) | 30 | 1.01; 1.05 | 0.99; 1.02 | 1.02; 1.56 | 1.01; 1.15 |
 //!
 //! Two more optimisations were dropped. Writing (2ε)x as εx + εx changed 27 steps with means near
-//! 1.00. A division for each component in place of a shared reciprocal changed 6 steps. Only fields
-//! of one variable use such a division (`PlanBuilder::increment`). Ensembles would take twice the
-//! time, because divisions are the bottleneck in SIMD lanes.
+//! 1.00. A division for each component in place of a shared reciprocal changed 6 steps, and doubled
+//! the time of ensembles, because divisions are the bottleneck in SIMD lanes. Fields of one
+//! variable still use it (`PlanBuilder::increment`).
 
 mod operation;
 

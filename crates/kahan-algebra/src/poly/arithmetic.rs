@@ -1,8 +1,8 @@
 //! Adds and multiplies polynomials by merging sorted runs of terms.
 //!
-//! A product forms a sorted run for each term of the shorter factor. As in a binary counter, only
-//! runs of similar length are merged. Factors of n and m terms take n·m multiplications of terms
-//! and about n·m·log₂ min(n, m) comparisons.
+//! A product forms a sorted run for each term of the shorter factor, and merges only runs of
+//! similar length. Factors of n and m terms take n·m multiplications of terms and about n·m·log₂
+//! min(n, m) comparisons.
 
 use std::cmp::Ordering;
 use std::convert::Infallible;

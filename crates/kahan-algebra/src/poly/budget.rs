@@ -139,7 +139,7 @@ impl Polynomial {
     }
 
     fn power_size(&self, exponent: u32) -> usize {
-        // C(e+t−1, t−1) is the product of all (e+k)/k for k < t. Partial products are integers.
+        // C(e+t−1, t−1) is the product of (e+k)/k over 1 ≤ k < t. Partial products are integers.
         let mut choices: u128 = 1;
         for k in 1..self.len() as u128 {
             choices = choices * (u128::from(exponent) + k) / k;

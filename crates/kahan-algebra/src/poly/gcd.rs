@@ -85,8 +85,8 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBu
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Computes the gcd of all coefficients of a and b, taken as polynomials in the variables that
-/// `bounds` does not contain.
+/// Computes the gcd of a and b if it contains only variables in `bounds`: the gcd of all
+/// coefficients of a and b as polynomials in the other variables.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,

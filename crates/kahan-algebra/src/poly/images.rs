@@ -8,8 +8,8 @@
 //!
 //! Let a and b have integer coefficients, let a be primitive, and let g be their primitive gcd. By
 //! Gauss's lemma a = g·h with integer coefficients, so lc(a) = lc(g)·lc(h) for leading coefficients
-//! in v. If a and its image have equal degree in v, so have g and its image. The image of g divides
-//! both images.
+//! in v. Therefore, if lc(a) does not vanish in the image, lc(g) does not vanish either, and g and
+//! its image have equal degree in v. The image of g divides both images.
 
 use kahan_syntax::table::Table;
 

@@ -11,7 +11,7 @@ impl Polynomial {
     /// is not a square. The cost is at most that of multiplying the root by the polynomial.
     ///
     /// The highest term of polynomial − r² determines the next term of the root r. Roots with more
-    /// terms than their square are not found; known ones have at least 13 terms.
+    /// terms than their square are not found. All known roots of this kind have at least 13 terms.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
         let (monomial, coefficient) = (half_exponents(monomial)?, rational_root(coefficient)?);

@@ -26,17 +26,18 @@ pub trait Random {
 ///
 /// A generator with a seed of 64 bits would not suffice: it has only 2⁶⁴ sequences of points, so
 /// error probabilities would be at least 2⁻⁶⁴. An author could also compute a text whose points
-/// satisfy a false claim. Against SHAKE256, no better attack is known than to try texts.
+/// satisfy a false claim. For SHAKE256, no method is known that is faster than trying many texts.
 ///
-/// A permutation yields 17 numbers in about a microsecond. Unoptimised code takes tens of
-/// microseconds.
+/// The permutation of the state yields 17 numbers in about a microsecond. Unoptimised code takes
+/// tens of microseconds.
 #[derive(Clone, Debug)]
 pub struct Shake256 {
     state: [u64; 25],
     drawn: usize,
 }
 
-/// The number of 64-bit words of the state that are read and written directly; 512 bits are not.
+/// The number of 64-bit words of the state that are read and written directly. The other words, 512
+/// bits, are the capacity.
 const RATE: usize = 25 - 512 / 64;
 
 impl Shake256 {

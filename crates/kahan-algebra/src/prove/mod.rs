@@ -77,8 +77,8 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
 /// The most operations that the claims of a block may take at each random point.
 const MOST_OPERATIONS: usize = 1_500_000;
 
-/// Estimates the number of operations at a point for all claims. Eliminating n unknowns counts as
-/// n³/16 operations, because operations modulo a prime are cheap.
+/// Estimates the number of operations at a point for all claims. An elimination of n unknowns
+/// counts as n³/16 operations.
 fn operations(system: &System) -> usize {
     let n = system.field.dimension();
     let terms: usize = system.field.numerators().map(Polynomial::len).sum();

@@ -1,5 +1,5 @@
 //! Proves claims at random points modulo random primes and at one exact point. [`super::sizes`]
-//! bounds the error. Without an exact point at which the claim is defined, the primes decide.
+//! bounds the error. If the claim is undefined at every exact point tried, the primes decide.
 
 use kahan_syntax::syntax::ClaimKind;
 
@@ -21,7 +21,7 @@ pub struct Proof {
 
 struct Evidence {
     holds: bool,
-    /// Whether the claim has content: a nonzero gradient, density or bracket.
+    /// Whether the gradient, density or bracket of the claim is nonzero at the point.
     says_something: bool,
 }
 

@@ -6,8 +6,8 @@
 //! polynomials F and G in states, parameters and ε. If a claim is false, some F is nonzero. A point
 //! is a random prime p between 2⁶⁰ and 2⁶¹ with random residues. A false claim passes only if
 //!
-//! * the prime p divides every coefficient of F: with b = log₂ ‖F‖₁, at most b/60 primes do so, out
-//!   of more than 2⁵⁴ (about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
+//! * the prime p divides every coefficient of F. At most b/60 primes do so, where b = log₂ ‖F‖₁,
+//!   and there are more than 2⁵⁴ primes (about 2⁶⁰/ln 2^60.5 ≈ 2^54.6); or
 //! * the value of F is zero at the point modulo p, which has probability at most deg F · 2⁻⁶⁰
 //!   (Schwartz and Zippel).
 //!
@@ -18,7 +18,7 @@
 //!
 //! With k points, a false claim is proved only if k of its first k + r − 1 independent steps pass.
 //! The probability is at most binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. The number k ≥ 3 is chosen
-//! such that (r²·e)ᵏ < 2⁻¹⁰⁰. Evaluating the residuals in [`SizeArithmetic`] bounds deg F and b.
+//! such that (r²·e)ᵏ < 2⁻¹⁰⁰. Evaluating F/G in [`SizeArithmetic`] bounds deg F and b.
 //!
 //! The points come from SHAKE256 of the block's text, so builds are reproducible.
 

@@ -6,7 +6,7 @@ use crate::poly::{Budget, Polynomial, WithinBudget, gcd_within};
 /// The nonzero entries of a row by ascending column.
 pub(crate) type Row = Vec<(usize, RationalFunction)>;
 
-/// Reducing a fraction of long integers costs as much as multiplying them this many times.
+/// Reducing a fraction of long integers costs as much as this many products of these integers.
 const COST_OF_FRACTIONS: u64 = 50;
 
 impl RationalFunction {

@@ -87,7 +87,7 @@ impl Formulas<'_> {
     /// Returns ∂x̃/∂x with every entry in lowest terms. Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
-        /// The most multiplications of terms for an entry, which take some tenths of a second.
+        /// The most multiplications of terms for an entry. They take some tenths of a second.
         const MAX_TERM_PRODUCTS: u64 = 1 << 20;
 
         let map = &self.map?.reduced;

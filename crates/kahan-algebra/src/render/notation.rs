@@ -45,7 +45,7 @@ pub trait Notation: fmt::Debug {
     /// Writes the quotient `above/below`. Both may be sums.
     fn quotient(&self, above: &str, below: &str) -> String;
 
-    /// Writes x + 2ε·above/below for the state x. The numerator `above` must not be 0.
+    /// Writes x + 2ε·above/below for the state x called `name`. `above` must not be 0.
     fn moved(&self, symbols: &Symbols, name: &str, above: &Polynomial, below: &Polynomial) -> String;
 
     /// Writes an expression with the parentheses that it needs.

@@ -55,7 +55,7 @@ fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {
     if length <= width {
         return (line.to_owned(), column);
     }
-    // An ellipsis may stand on both sides. More text is shown after the mistake than before it.
+    // Two columns are kept for ellipses. A third of the text stands before the mistake.
     let kept = width.saturating_sub(2);
     let start = column.saturating_sub(kept / 3).min(length - kept);
     let cut: String = line.chars().skip(start).take(kept).collect();

@@ -316,12 +316,12 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
 
 struct Draw {
     random: SplitMix64,
-    /// The distances at which nearly equal parameters are drawn.
+    /// Differences of nearly equal parameters are drawn with about one of these sizes.
     nearness: &'static [f64],
 }
 
 impl Draw {
-    /// Every fourth field has no numbers near each other.
+    /// Every fourth field has no nearly equal parameters.
     fn of(name: &str, number: usize) -> Self {
         let nearness: [&[f64]; 4] = [&[1.0], &[1.0, 1e-3], &[1.0, 1e-6], &[1.0, 1e-3, 1e-6, 1e-9]];
         Draw {

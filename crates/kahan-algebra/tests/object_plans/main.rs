@@ -471,7 +471,7 @@ fn compute(line: &str, values: &mut BTreeMap<String, Rational>) {
         if negative { -value } else { value }
     };
     let product = |text: &str| -> Rational {
-        // A slash inside parentheses is part of a number.
+        // A number such as (1/2) contains a slash that is no division.
         if let Some((a, b)) = text.rsplit_once('/').filter(|(_, below)| !below.contains(')')) {
             return lookup(a).checked_div(&lookup(b)).expect("no pole");
         }

@@ -15,7 +15,7 @@ pub(crate) struct Written {
 }
 
 impl Written {
-    /// Parses a text. `symbols` gives the order of the values in the points of the other methods.
+    /// Parses a text. The other methods take points, whose values have the order of `symbols`.
     pub(crate) fn new(text: &str, symbols: &Symbols) -> Self {
         let mut diagnostics = Diagnostics::default();
         let block = parse(&lex(text).tokens, &mut diagnostics);

@@ -23,7 +23,7 @@ fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
     log_log(description, "xₙ", vec![Series::new("", colour, mark, x.log_log())])
 }
 
-/// Plots log(h(xₙ)/nᵏ) for logarithmic heights h, and a dashed line at log `value` with a label.
+/// Plots log(hₙ/nᵏ) for logarithmic heights hₙ of x, and a line at log `value` labelled `shown`.
 fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
     let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
     let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));

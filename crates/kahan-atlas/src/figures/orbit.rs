@@ -27,7 +27,7 @@ impl Heights {
         self.pairs().map(|(n, h)| (libm::log(n), libm::log(h))).collect()
     }
 
-    /// Returns log(h/nᵖ) against n for n ≤ `end`, for the logarithmic height h and the power p.
+    /// Returns (n, log(hₙ/nᵖ)) for n ≤ `end`, with logarithmic heights hₙ and p = `power`.
     pub(super) fn correction(&self, power: i32, end: usize) -> Vec<(f64, f64)> {
         self.pairs().take(end).map(|(n, h)| (n, libm::log(h / n.powi(power)))).collect()
     }

@@ -80,7 +80,7 @@ impl IndexFile {
         PageCreation { date, seconds: self.since.elapsed().as_secs_f64() }
     }
 
-    /// Writes the page, and returns an answer that describes the file.
+    /// Writes the page. Returns the path, `holds`, and the size in MB with `decimals` digits.
     pub(super) fn put(self, text: &str, holds: &str, decimals: usize) -> Result<Answer, UsageError> {
         OutputStream::file(&self.path, "--out")?.put(text)?;
         let (path, size) = (self.path.display(), text.len() as f64 / 1e6);

@@ -118,7 +118,7 @@ const OF_ORBITS: [&str; 13] = [
     "fused",
 ];
 
-/// Parses the name of a column, or of an observable that is one number. The help omits columns.
+/// Parses the name of an observable that is one number, or of a column such as `rotation_x`.
 #[derive(Clone, Copy)]
 struct Colours;
 
@@ -170,7 +170,7 @@ impl QuestionCommand for Chart {
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
-        // The first range of a chart varies fastest, so it becomes the last axis of the `Over`.
+        // In a chart the first range varies fastest, in the question `Over` the last axis.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))
     }

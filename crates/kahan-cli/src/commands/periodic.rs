@@ -243,7 +243,7 @@ fn points(found: &CycleFound) -> Rows {
     with_headings(&head, rows)
 }
 
-/// Returns the cells after the point in a row of the branch, from stability to period.
+/// Returns the cells of a row of the branch from the column `stability` on.
 fn tail(found: &CycleFound, point: &BranchPoint, of_flow: Option<&FlowFound>) -> Vec<String> {
     let shown = |x: f64| format!("{x:?}");
     let PeriodicPoint { points, multipliers, .. } = &point.cycle;

@@ -50,7 +50,7 @@ fn listen() -> io::Result<()> {
             // The lock is held until the process ends, so that no new file is made.
             let list = UNFINISHED_FILES.lock().unwrap_or_else(PoisonError::into_inner);
             for path in list.iter() {
-                // A file that was just renamed no longer has this name, so errors are ignored.
+                // A finished file may have been renamed in the meantime, so errors are ignored.
                 let _ = std::fs::remove_file(path);
             }
             std::process::exit(128 + signal);
@@ -59,7 +59,7 @@ fn listen() -> io::Result<()> {
     Ok(())
 }
 
-/// Does nothing, because other operating systems end an interrupted process themselves.
+/// Does nothing. On other systems an interrupt ends the process, and unfinished files stay.
 #[cfg(not(unix))]
 fn listen() -> io::Result<()> {
     Ok(())

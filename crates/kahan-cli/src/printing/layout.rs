@@ -169,7 +169,7 @@ fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
     below_each_other(rows.iter().map(record))
 }
 
-/// Puts a text beside a label of width `room`, or below the label if a word is too wide.
+/// Puts a text beside a label of width `room`, or below the label if the text does not fit there.
 pub(crate) fn labelled(label: &str, text: &str, room: usize) -> Vec<String> {
     labelled_within(label, text, room, screen_width())
 }

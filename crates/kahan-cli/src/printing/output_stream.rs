@@ -50,7 +50,7 @@ impl OutputStream {
         let refused = |reason: &str| {
             UsageError::new(format!("{option}: cannot write the file {}: {reason}", path.display()))
         };
-        // The target of a symbolic link is replaced. Devices and directories are refused.
+        // A symbolic link stays, and its target is replaced. Devices and directories are refused.
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),

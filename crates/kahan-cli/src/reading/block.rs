@@ -18,7 +18,7 @@ use super::rust_file::{RustBlock, blocks};
 use crate::printing::{UsageError, joined};
 
 thread_local! {
-    /// The last block that was read. A command reads its field twice, and reuses the block.
+    /// The last block that was read. A command asks twice for its field, which is read only once.
     static LAST_BLOCK: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
@@ -75,7 +75,7 @@ impl Block {
         Subject::block(self.text.clone())
     }
 
-    /// Returns the parameters that nothing declares. In Rust, the program declares all of them.
+    /// Returns the parameters that the text does not declare. Programs in Rust declare all.
     pub(super) fn undeclared(&self) -> Vec<String> {
         if self.is_rust { Vec::new() } else { self.text.undeclared() }
     }
@@ -93,7 +93,7 @@ impl Block {
         self.text.given()
     }
 
-    /// Returns the text with initial values, once as given, once in the language of `kahan!`.
+    /// Returns the text with initial values in two notations: the user's, and that of `kahan!`.
     pub(crate) fn with_start(&self, states: &[String], start: &[Rational]) -> [String; 2] {
         let values = self.text.parameters().iter().map(|(name, value)| format!("{name} = {value}; "));
         let first = states.iter().zip(start).map(|(state, value)| format!("{state}(0) = {value};"));

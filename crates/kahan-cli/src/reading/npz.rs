@@ -104,7 +104,7 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
     format!("has names that variables cannot have: {}", joined(said, "; "))
 }
 
-/// Takes an array out of `files`. A dense array is one file, and a sparse array is three.
+/// Takes the array `name` out of `files`: one file of a dense array, three of a sparse one.
 fn part(files: &mut Files, name: &'static str) -> Result<Option<ArrayPart>, String> {
     let mut numbers = |name: &str| {
         let read = |file: Vec<u8>| {

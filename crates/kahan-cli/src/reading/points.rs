@@ -50,7 +50,7 @@ pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
         let rows = read::<Option<Rational>>(at, "--at").ok()?;
         let width = rows.sizes.last().copied().unwrap_or_default();
         let (first, names) = (rows.values.get(..width)?, rows.names.unwrap_or_default());
-        // Skips columns of text, such as `ended`, which are not states.
+        // Columns of text, such as `ended` in tables of `kahan orbit`, are no states.
         let given =
             first.iter().enumerate().filter_map(|(k, value)| Some((value.clone()?, names.get(k).cloned())));
         let (point, names): (Vec<_>, Vec<_>) = given.unzip();

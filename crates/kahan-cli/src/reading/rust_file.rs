@@ -27,7 +27,7 @@ struct Piece<'a> {
 }
 
 pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
-    // A long text without a call is not split into tokens.
+    // If the macro's name does not occur, the text need not be split into tokens.
     if !text.contains(MACRO) {
         return Vec::new();
     }

@@ -191,7 +191,7 @@ impl Source {
         self.system.iter().cloned().chain(options).collect()
     }
 
-    /// Removes --all, for commands in which it shows more, and returns whether it was given.
+    /// Removes --all, and returns whether it was given. `kahan verify` has its own use for --all.
     pub(crate) fn without_all(mut self) -> (Self, bool) {
         let all = std::mem::take(&mut self.all);
         (self, all)
@@ -202,7 +202,8 @@ impl Source {
         self
     }
 
-    /// Returns the lift of --lift. An automatic choice depends on `start` and the values `near`.
+    /// Returns the lift of --lift. An automatic choice depends on the initial point `start` and on
+    /// `near`, the middle values of parameters with a range.
     pub(super) fn lifting(
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,
@@ -233,7 +234,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses fixed values of the quantities on `axes`. For the quantity ε, the value is `step`.
+    /// Refuses the command if a quantity on `axes` also has a fixed value, which for ε is `step`.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), UsageError> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =

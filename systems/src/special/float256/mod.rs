@@ -42,7 +42,7 @@ pub struct Float256(Option<Number>);
 #[derive(Clone, Copy, PartialEq)]
 struct Number {
     sign: Sign,
-    /// The 64-bit words of the significand, lowest first.
+    /// The 64-bit words of the significand, lowest first. Unused words are zero.
     words: [Word; BITS / Word::BITS as usize + 1],
     exponent: isize,
 }
@@ -126,8 +126,8 @@ fn quotient(p: &IBig, q: &IBig) -> Float256 {
         return Float256::from_repr(Repr::zero());
     }
     let (p_bits, q_bits) = (p.bit_len() as isize, q.bit_len() as isize);
-    // The quotient gets two extra bits, and a last bit that is 1 if a remainder exists. The
-    // division then rounds only once.
+    // The quotient gets two extra bits, and a last bit that tells whether a remainder exists.
+    // Rounding to 256 bits is then correct.
     let shift = (BITS as isize + 2 - (p_bits - q_bits)).max(0) as usize;
     let negative = p.sign() != q.sign();
     let (whole, rest) = (p.abs() << shift).div_rem(q.abs());

@@ -1,5 +1,5 @@
 //! Runs plans in floats with a given rounding. The macro runs this code at compile time, usually
-//! without optimisation, so plain loops are used.
+//! without optimisation. There iterators are slow, so this code uses plain loops.
 
 use kahan_program::Arithmetic;
 use kahan_syntax::rational::Rational;

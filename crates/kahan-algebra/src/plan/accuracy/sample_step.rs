@@ -49,7 +49,7 @@ impl SampleStep {
             }
             norm = norm.max(sum);
         }
-        // The random factor avoids ε‖f′‖∞ = 1, where det A = 0 if f′ has a single nonzero entry.
+        // The factor is random, because A may be singular if ε‖f′‖∞ is 1.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
         if !eps.is_normal() {
             return None;

@@ -36,9 +36,9 @@ pub(in crate::plan) struct Blocks<'a> {
     first: usize,
 }
 
-/// A block of states: `independent` states, which do not depend on each other, and `rest`. Cramer's
-/// rule with minors of `rows` gives the increments x̃ᵢ − xᵢ of `rest`. Those of the independent
-/// states are then 2ε·`moved`.
+/// A block of states. The `independent` states do not depend on each other; `rest` are the others.
+/// Cramer's rule with minors of `rows` gives the increments x̃ᵢ − xᵢ of `rest`. The polarised
+/// components `moved`, multiplied by the time step, are then the increments of `independent`.
 #[derive(PartialEq)]
 struct Block {
     rest: Vec<usize>,
@@ -66,8 +66,8 @@ impl<'a> Blocks<'a> {
 
     /// Prepares the map v ↦ ṽ of tangent vectors for known x and x̃.
     ///
-    /// The symbols `SecondState` stand for x + x̃ and ṽ − v, which halves the number of terms of
-    /// the polarised field. All equations are doubled to avoid the factor ½.
+    /// The symbols `SecondState` mean x + x̃ and ṽ − v, which halves the number of terms of the
+    /// polarised field. This field is doubled, because its terms have the factor ½.
     pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };
@@ -149,7 +149,7 @@ impl<'a> Blocks<'a> {
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        // For tangent vectors, the reciprocal of the determinant contains ε, so the rows do not.
+        // For tangent vectors, ε is in the reciprocal of the determinant, so the rows omit it.
         let eps = match self.is_tangent() {
             true => Polynomial::one(),
             false => Polynomial::variable(self.field.symbols.epsilon()),
@@ -169,8 +169,8 @@ impl<'a> Blocks<'a> {
         rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
     }
 
-    /// Replaces x̃ᵢ by xᵢ for each state of a block whose image is not yet known. For a tangent
-    /// vector, replaces the increment ṽᵢ − vᵢ by 0 instead.
+    /// Replaces x̃ᵢ by xᵢ for each state i in `block` but not in `known`. For a tangent vector,
+    /// replaces the increment ṽᵢ − vᵢ by 0 instead.
     fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
         let symbols = &self.field.symbols;
         if self.is_tangent() {

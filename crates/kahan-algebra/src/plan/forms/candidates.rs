@@ -55,8 +55,8 @@ impl Forms<'_> {
     }
 }
 
-/// Finds the cheapest form of a field's step. If `kept` is given, products of sums stay as written
-/// there. Returns `None` if the field is too large for straight-line code.
+/// Finds the cheapest form of a field's step. If `kept` is given, its products of sums are not
+/// expanded. Returns `None` if the field is too large for straight-line code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&FieldWithSubexpressions>,
@@ -87,7 +87,7 @@ fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
 }
 
 /// Returns forms that may lose fewer digits in long steps than `best`, with the cheapest form
-/// first. Each form costs at most 3/2 of `best`.
+/// first. Each form costs at most 3/2 times as much as `best`.
 pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();
@@ -174,7 +174,7 @@ impl FactoredMap<'_> {
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
-            // If the determinant is the reduced denominator, the writer reuses it.
+            // In an unscaled map, this determinant is the reduced denominator, and is reused.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
@@ -197,7 +197,7 @@ impl FactoredMap<'_> {
             row.iter().chain([&right]).map(|entry| writer.entry(entry, FormGoal::Few)).collect()
         };
         let mut rows: Vec<Vec<MatrixEntry>> = matrix.iter().zip(&self.field.components).map(row).collect();
-        // A rotation of three rows keeps the signs of determinants.
+        // Only three rows are rotated (for two, `last` is 1). Their determinant stays the same.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)
     }

@@ -40,7 +40,7 @@ impl<'a> FactoredMap<'a> {
         self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
     }
 
-    /// Writes each numerator, divided by the factor `without`, and multiplied by its power of ε.
+    /// Writes each numerator, divided by the factor `without` and multiplied by a `power` of ε.
     pub(in crate::plan) fn written_numerators(
         &self,
         writer: &mut Writer,
@@ -72,7 +72,7 @@ impl<'a> FactoredMap<'a> {
     }
 
     /// Writes a candidate for the denominator p·q with `factors` [p, q]. Numerators with the factor
-    /// q are divided only by p, and multiplied by the power `short` of ε instead of `long`.
+    /// q are divided only by p, and multiplied by ε^`short`; the others by p·q and by ε^`long`.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],

@@ -1,10 +1,10 @@
 //! Writes forms that are divided by the time step. With h = 1/(2ε), the denominator 1 + 2εx becomes
 //! h + x.
 //!
-//! Multiplications of states by ε in a denominator delay each step. After division by a power of ε,
-//! only prepared constants contain ε. If h is the only rounded constant, the step is exactly
-//! Kahan's map for a time step within half an ulp of 2ε. The form is undefined at ε = 0 and
-//! overflows near it, so another form must accompany it.
+//! A denominator that multiplies states by ε is ready later, which delays each step. After division
+//! by a power of ε, only prepared constants contain ε. If h is the only rounded constant, the step
+//! is exactly Kahan's map for a time step within half an ulp of 2ε. The form is undefined at ε = 0
+//! and overflows near it, so a plan with this form contains another form for these ε.
 
 use kahan_syntax::rational::Rational;
 
@@ -28,7 +28,7 @@ impl FactoredMap<'_> {
     /// shorter than `recurrence`. Their constants are rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // Each term has one prepared constant, which contains ε. Division by ε saves nothing.
+            // Each term's only prepared constant contains ε, so division by ε saves no operation.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
@@ -71,9 +71,9 @@ impl FactoredMap<'_> {
         writer.write(&gathered, FormGoal::Early)
     }
 
-    /// Writes the increment 2εn/d as (n/εᵏ⁻¹)·(c/q) with k = `power` and q = c·d/(2εᵏ), which is
-    /// already written as `denominator`. Returns `None` if the dependence chain from step to step
-    /// would not be shorter than `recurrence`, or if a constant is rounded twice.
+    /// Writes the increment 2εn/d as (n/εᵏ⁻¹)·(c/q), where k = `power`, c is a number, and the node
+    /// `denominator` has the value q = c·d/(2εᵏ). Returns `None` if the dependence chain from step
+    /// to step would not be shorter than `recurrence`, or if a constant is rounded twice.
     fn over_power(
         &self,
         power: u32,
@@ -98,8 +98,8 @@ impl FactoredMap<'_> {
         moving.map(|(i, _)| self.field.symbols.state(i)).collect()
     }
 
-    /// Returns forms for a denominator p·q. The increment 2εn/p becomes 2(n/εᵏ⁻¹)/(p/εᵏ), and
-    /// 2εn/(p·q) becomes 2(n/εᵏ)/(p/εᵏ)/(q/ε).
+    /// Returns forms for a denominator p·q, one for each k up to `MOST_POWERS`. The increment 2εn/p
+    /// becomes 2(n/εᵏ⁻¹)/(p/εᵏ), and 2εn/(p·q) becomes 2(n/εᵏ)/(p/εᵏ)/(q/ε).
     fn two_divisions_over_time_step(&self) -> Vec<Candidate> {
         let Some((needed, other)) = self.two_factors() else { return Vec::new() };
         let epsilon = self.field.symbols.epsilon();

@@ -2,7 +2,7 @@
 //!
 //! - `structure` finds blocks of the field.
 //! - `factored_map` writes the reduced map as products over one set of factors.
-//! - `minors`, `blocks` and `products` solve A·(x̃ − x) = 2εf; `products` expands no products in f.
+//! - `minors`, `blocks` and `products` solve A·(x̃ − x) = 2εf; `products` keeps the products in f.
 //! - `inverse` divides by the time step, and `tangent` maps tangent vectors.
 //! - `candidate` prices a form, and `candidates` compares forms.
 

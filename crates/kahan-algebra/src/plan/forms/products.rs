@@ -1,6 +1,6 @@
 //! Writes the step of a field with products of sums, such as `(x - 1)*(y - 1)/s`.
 //!
-//! Where all these sums are near 0, the terms of the expanded product cancel, and division by a
+//! Where x − 1 and y − 1 are near 0, the terms of the expanded product cancel, and division by a
 //! small s magnifies the rounding error. Cramer's rule for A·(x̃ − x) = 2εf keeps the products.
 
 use kahan_syntax::rational::Rational;

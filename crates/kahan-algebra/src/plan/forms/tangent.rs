@@ -19,8 +19,8 @@ use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Plan};
 
 const ROW_ORDERS: usize = 3;
-/// The most operations of a plan. A longer plan would cost as much as a second step, from x + δv
-/// with a small δ.
+/// The most operations of a plan. A longer plan would not be faster than a difference quotient with
+/// a second step.
 const MOST_OPERATIONS: usize = 300;
 
 /// Returns the plan of the image ṽ of a tangent vector v from x, v and x̃, where x̃ is the first

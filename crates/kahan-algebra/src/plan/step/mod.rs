@@ -48,9 +48,9 @@ pub struct StepPlan {
     /// orbit faster, but in SIMD lanes divisions are the bottleneck. If `self` [divides by
     /// ε](Self::has_inverse_step), `general` also serves other scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
-    /// The largest size ‖εf′‖∞ of 1, 10, 100 and 1000 at which the step loses few digits compared
-    /// with elimination with partial pivoting; 0 if the step loses more at each of these sizes.
-    /// Errors are measured at random points with a fixed seed.
+    /// The largest of the sizes ‖εf′‖∞ = 1, 10, 100, 1000 up to which the step loses few digits
+    /// compared with elimination with partial pivoting; 0 if it loses more at the size 1. Errors
+    /// are measured at random points with a fixed seed.
     pub holds_to: u32,
 }
 
@@ -151,7 +151,7 @@ impl StepPlan {
         });
         let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        // Reciprocals of parameters are inputs of `constants`. Divisions in it are therefore by ε.
+        // Reciprocals of parameters are inputs of `constants`, so this plan divides only by ε.
         let has_inverse_step =
             constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }

@@ -1,7 +1,7 @@
 //! Estimates the time of a step in an orbit, where each step waits for the previous one.
 //!
-//! The slowest loop of dependences from a state through n steps back to the state takes n times
-//! this time. The longest path through a single step may take longer.
+//! This time is the largest of d/n, where a loop of dependences through n steps, from a state back
+//! to this state, takes the time d. The longest path through a single step may take longer.
 
 use crate::poly::Variable;
 
@@ -95,7 +95,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// The number of time units of [`StepPlan::recurrence`] in a cycle, which 1, …, 6 divide.
+/// A cycle is 60 units of [`StepPlan::recurrence`], because 60 is divisible by 1, 2, …, 6.
 const UNIT: u64 = 60;
 
 /// Returns the longest paths through two consecutive steps.

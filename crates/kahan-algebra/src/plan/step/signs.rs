@@ -200,8 +200,8 @@ impl<'a> SignSearch<'a> {
     }
 }
 
-/// Returns for each summand of a sum whether it is subtracted. `of` says which operands are
-/// negated. Returns (false, false) for other operations.
+/// Returns for each of two summands whether it is subtracted, where `of` returns whether an operand
+/// is negated. Returns (false, false) for other operations.
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),

@@ -4,8 +4,8 @@ use crate::poly::Variable;
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// Counts the outputs in which two values that depend on ε are multiplied. In general, such outputs
-/// are rounded more than once.
+/// Counts the outputs whose computation multiplies two values that depend on ε. In general, these
+/// outputs are rounded more than once.
 pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usize {
     let mut contains = vec![false; plan.operations.len()];
     let mut derived = vec![false; plan.operations.len()];

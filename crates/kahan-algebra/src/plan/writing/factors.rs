@@ -86,14 +86,14 @@ fn common_factor(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<
     gcd_within(a, b, budget).ok().map(|gcd| primitive_core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
-/// Returns the gcd of the coefficients in the first variable for which it is not constant.
+/// Returns the gcd of the coefficients in some variable, if it is a polynomial of several terms.
 fn content_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > MAX_FACTORED_TERMS || polynomial.len() < 4 {
         return None;
     }
     polynomial.variables().into_iter().find_map(|variable| {
         let coefficients: Vec<Polynomial> = polynomial.coefficients_in(variable).into_values().collect();
-        // If a coefficient has one term, the gcd is a monomial, which is not returned.
+        // One coefficient, or a coefficient with one term, would split off only a monomial.
         if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
             return None;
         }

@@ -17,7 +17,7 @@ pub(in crate::plan) struct PlanDraft {
     pub(in crate::plan) builder: PlanBuilder,
     ready: Vec<u32>,
     fixed: Vec<bool>,
-    /// For each operation, how many operations at or before it depend on states.
+    /// For each operation, the number of state-dependent operations up to it, without inputs.
     sizes: Vec<usize>,
     /// The number of states. Variables from this number up to ε are parameters.
     states: u16,
@@ -120,8 +120,8 @@ impl PlanDraft {
     /// Returns the product of all factors. Existing products are preferred, then factors that are
     /// ready early.
     ///
-    /// Products of two prepared constants are avoided unless the draft permits them. The rounding
-    /// error of such a product would be equal in every step, so integrals would drift.
+    /// Products of two prepared constants are avoided unless `folds` is set. The rounding error of
+    /// such a product is the same in every step, so the errors add up, and integrals drift.
     pub(in crate::plan) fn product(&mut self, factors: &[Node]) -> Node {
         match factors {
             [] => return self.constant(&Rational::one()),

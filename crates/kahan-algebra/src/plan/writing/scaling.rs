@@ -2,8 +2,8 @@
 //! (εx)(εx)y.
 //!
 //! If εx is computed first, terms need no product with ε, and no prepared constant except ε is
-//! rounded. The variables of scaled symbols such as εx have numbers above all others. The last of
-//! them is the [inverse time step](crate::plan::forms::inverse) 1/(2ε).
+//! rounded. Scaled symbols such as εx are variables with numbers above those of the symbols. A
+//! further variable is the [inverse time step](crate::plan::forms::inverse) 1/(2ε).
 
 use kahan_syntax::rational::Rational;
 
@@ -15,7 +15,7 @@ use kahan_program::cost::{DIVIDE, MULTIPLY};
 const FIRST_COEFFICIENT: u16 = 1 << 15;
 /// The variable that names 1/(2ε) in all forms.
 pub(in crate::plan) const INVERSE_STEP: Variable = Variable(FIRST_COEFFICIENT - 1);
-/// The approximate cycle in which the image of a state is ready, after a division.
+/// The estimated cycle in which the image of a state is ready, which includes a division.
 const STATE_IMAGE_CYCLE: u32 = 2 * DIVIDE;
 
 /// Whether the powers of ε in a term multiply its states first or its parameters first.
@@ -145,8 +145,8 @@ impl Scaling {
     }
 }
 
-/// Returns whether div f is a nonzero constant. Then the field has no invariant measure and no
-/// integral that rounding errors of prepared constants could make drift.
+/// Returns whether div f is a nonzero constant. The field then contracts or expands all volumes at
+/// the same rate, and drifts through rounded constants are of no concern.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
     let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));

@@ -24,8 +24,8 @@ use kahan_program::Numbered;
 /// the search is quadratic.
 const MAX_REUSE_TERMS: usize = 24;
 
-/// For sums of at most this many terms, formulas with and without a common constant factored out
-/// are compared.
+/// A sum of at most this many terms is also written without factoring out a common constant. The
+/// cheaper formula is used.
 const MAX_UNFACTORED_TERMS: usize = 3;
 
 /// An entry of a matrix as a written value, and as a polynomial if it is known.

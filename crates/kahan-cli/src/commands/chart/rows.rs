@@ -7,7 +7,7 @@ use kahan_study::{Axis, Range};
 use crate::printing::{UsageError, joined};
 use crate::reading::{self, named, number, over};
 
-/// A column of a file, and the rows of this file that are drawn.
+/// A column of a file, restricted to the rows that are drawn.
 pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
     /// The axes: ranges, or names of columns whose values are the midpoints of the cells.
@@ -19,7 +19,7 @@ pub(super) struct Rows<'a> {
 const MOST_DRAWN: usize = 1 << 26;
 
 impl<'a> Rows<'a> {
-    /// Returns the axes, and the mean of each cell by rows from the bottom. Empty cells are NaN.
+    /// Returns the axes, and the mean of each cell, from the bottom up. Empty cells are NaN.
     pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Axis>, Vec<f64>), UsageError> {
         let axes = 0..self.over.len();
         let name = |over: &'a String| over.split_once('=').map_or(&**over, |(name, _)| name).trim();

@@ -13,7 +13,7 @@ struct AxisCombinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The systems for the first `CACHED_COMBINATIONS` combinations of values.
+    /// The systems for the first `CACHED_COMBINATIONS` combinations of values on the `axes`.
     few: Vec<Study>,
 }
 
@@ -45,7 +45,7 @@ impl Orbit {
             }
             Ok(self.question(eps.ok_or(StudyError::MissingStep)?, at))
         };
-        // All orbits are checked before rows are written, so that no partial table is left.
+        // The arguments of all orbits are checked before the first row, to leave no partial table.
         for index in 0..all.count {
             let study = all.study(index)?;
             asked(&starts[0], &all.values(index))?.begin(&study)?;

@@ -50,7 +50,7 @@ impl AnsweredQuestion {
 /// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
     pub(super) valued: &'a Field,
-    /// The field with parameter values. If its text claims no integrals, discovered ones are added.
+    /// The field with all parameter values, and with discovered integrals if the user claims none.
     pub(super) kept: &'a Field,
     /// The field with only the values that the user gave.
     pub(super) generic: &'a Field,
@@ -73,7 +73,7 @@ impl Subject<'_> {
         PictureRequest::portrait(eps.clone(), vec![StartSpec::Point(start.clone())], steps)
     }
 
-    /// Returns the fraction `share` of the available seconds, rounded to tenths.
+    /// Returns this fraction of the available seconds, rounded to tenths.
     pub(super) fn share(&self, share: f64) -> f64 {
         (10.0 * share * self.seconds).round().max(1.0) / 10.0
     }
@@ -84,7 +84,7 @@ impl Subject<'_> {
     }
 
     pub(super) fn search(&self) -> AnsweredQuestion {
-        // Without a degree, a faster machine would search further in the time and find more.
+        // With a fixed degree, the findings do not depend on the speed of the machine.
         let degree = Some(default_degree(self.generic.study.variables().len()));
         let asked = Discover { degree, seconds: self.share(SEARCH_SHARE), ..Discover::default() };
         AnsweredQuestion::of(self.generic, Question::Discover(asked))
@@ -137,7 +137,7 @@ impl Subject<'_> {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
         };
-        // The first range of a chart varies fastest, so it becomes the last axis of the `Over`.
+        // In a chart the first range varies fastest, in the question `Over` the last axis.
         let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
             let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
             let range = range.expect("printed numbers make a range");
@@ -159,7 +159,7 @@ impl Subject<'_> {
         figure("chart", "A chart of stability", &line, drawn.map_err(UsageError::from))
     }
 
-    /// Returns the cheapest settings of `kahan trade` for the time of `STEPS` steps.
+    /// Returns the cheapest settings of `kahan trade` for a horizon of `STEPS` steps.
     pub(super) fn settings(&self) -> Markup {
         const STEPS: f64 = 400.0;
         let horizon = Rational::parse(&decimal(2.0 * self.shown.eps.to_f64() * STEPS));
@@ -203,7 +203,7 @@ impl Subject<'_> {
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
     }
 
-    /// Asks for orbits from points between the initial point and the middle of its orbit.
+    /// Asks for orbits from points between the initial point and the middle of its orbit's range.
     fn many_orbits(&self, steps: u64) -> PictureRequest {
         let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {

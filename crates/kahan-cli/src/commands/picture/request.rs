@@ -37,7 +37,7 @@ pub(crate) enum PictureContent {
     Portrait,
     /// Crossings of orbits with a section. [`PictureRequest`] gives ε and the initial points.
     Section(Box<Section>),
-    /// An orbit diagram. [`PictureRequest`] gives the initial points and the number of steps.
+    /// An orbit diagram. [`PictureRequest`] contains the initial points and the number of steps.
     Over(Box<Diagram>),
     /// The growth of the heights of an exact orbit.
     Heights,

@@ -40,7 +40,7 @@ impl BlockOrder {
 }
 
 impl Blocks<'_> {
-    /// Returns a candidate for each rotation of rows. All share the first block's written rows.
+    /// Returns a candidate for each rotation of rows. The first block's rows are written only once.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
@@ -72,7 +72,6 @@ impl Blocks<'_> {
     fn solve(&self, block: &Block, mut rows: Vec<Vec<MatrixEntry>>, turn: usize, solution: &mut Solution) {
         let Solution { writer, increments } = solution;
         if !rows.is_empty() {
-            // Rotating rows may change the sign of all determinants, but not their quotients.
             let turn = turn % rows.len();
             rows.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &rows);

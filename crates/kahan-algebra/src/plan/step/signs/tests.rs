@@ -37,7 +37,7 @@ fn a_difference_is_prepared_the_way_that_needs_no_negation() {
     );
 }
 
-/// The program contains multiply-adds of all three kinds, and a value that is used with both signs.
+/// The program contains a·b + c, a·b − c and a − b·c, and a value that is used with both signs.
 #[test]
 fn fused_operations_keep_their_values() {
     let mut builder = PlanBuilder::default();
