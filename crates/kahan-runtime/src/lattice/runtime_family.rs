@@ -1,4 +1,5 @@
-//! Implements [`LatticeMap`] for a family with parameter values, for `kahan-core`'s solver.
+//! Implements [`LatticeMap`], the input of `kahan-core`'s solver, for families with parameter
+//! values.
 
 use std::sync::Arc;
 
