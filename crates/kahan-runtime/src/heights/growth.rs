@@ -16,7 +16,7 @@ use std::fmt;
 /// For N ≥ 8, the last 4⌊N/4⌋ heights are divided into four groups of equal length. Let d₁, d₂, d₃
 /// be the first differences of the groups' means, and s₁, s₂ the second differences. If all dₖ are
 /// positive, the first row whose condition holds gives the class; r and r′ are the sums of squared
-/// residuals of the best lines in n and in log n.
+/// residuals of the least-squares lines in n and in log n.
 ///
 /// | class | condition |
 /// |---|---|

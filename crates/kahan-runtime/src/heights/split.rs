@@ -42,7 +42,7 @@ impl Splits {
     }
 
     /// Looks for a g with most of W's digits that divides W and some Xᵢ. Returns the image of the
-    /// point, divided by common factors of g and the coordinates; `None` if there is no such g.
+    /// point without factors of g that all its coordinates have; `None` if there is no such g.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LEAST_SPLIT_BITS)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();

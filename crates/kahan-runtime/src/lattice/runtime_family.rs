@@ -1,5 +1,4 @@
-//! Implements [`LatticeMap`], the input of `kahan-core`'s solver, for families with parameter
-//! values.
+//! Implements `kahan-core`'s trait [`LatticeMap`] for a family whose parameters have values.
 
 use std::sync::Arc;
 
