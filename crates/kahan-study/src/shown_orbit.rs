@@ -69,8 +69,7 @@ impl Study {
                     continue;
                 }
             };
-            // ε is `share`/`rate`. Without a lift, `rate` is larger than the frequencies, so
-            // `share` is larger.
+            // Without a lift, `rate` exceeds the frequencies, so `share` = ε·`rate` may be larger.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
             // In each later trial, ε follows from the rate along the previous orbit. There are two

@@ -74,8 +74,8 @@ pub struct Evaluated {
     /// The brackets of the claims that apply; the matrix of each bracket is given row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
-    /// The claimed drifts that apply. Each claims a formula for F(x̃), where F is a function of the
-    /// state. The two values are F(x), and F(x̃) by the formula.
+    /// The claimed drifts that apply. Each claims a formula for F(x̃), where F is a function of x.
+    /// The two values are F(x), and F(x̃) by the formula.
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
     /// The reason why the point has no image.

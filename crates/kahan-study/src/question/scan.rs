@@ -18,8 +18,9 @@ use super::{minute, seconds_since};
 
 const MOST_POINTS: usize = 1_000_000;
 
-/// A request to search a grid of parameter values and ε for special maps. Their iterates have other
-/// degrees, or their orbits another Hilbert function, than at almost all values.
+/// A request to search a grid of parameter values and ε for special maps, and for relations between
+/// their values. Iterates of special maps have other degrees, or their orbits have another Hilbert
+/// function, than at almost all values.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {
