@@ -1,7 +1,7 @@
 //! One orbit of any map over floats, followed while its points are finite.
 //!
-//! In: a map, a point, a number of steps, and a watch that may stop the run. Out: the last point,
-//! how the orbit ended, and a report.
+//! In: a map, a point, a number of steps, and a function that may stop the run. Out: the last
+//! point, how the orbit ended, and a report.
 
 use core::num::NonZeroU64;
 use core::ops::ControlFlow;
@@ -136,7 +136,7 @@ fn check_state<S: Step>(map: &S, x: &[S::Scalar]) -> Result<(), DimensionError> 
     DimensionError::check(Argument::State, x.len(), map.dimension())
 }
 
-/// Returns the number of steps between two calls of the watch.
+/// Returns the number of steps between two calls of the function that may stop the run.
 pub(crate) fn pause(variables: usize) -> u64 {
     const MOST: u64 = 4096;
     const FEW: u64 = 8;

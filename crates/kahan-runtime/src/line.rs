@@ -18,8 +18,8 @@ type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 /// A straight-line program with several results.
 ///
 /// The registers hold, in order: the constants, the numbers in the plan, the states, and the
-/// computed values. The constants are the parameters and ε. In a step of two programs, the second
-/// has the results of the first as constants.
+/// computed values. The constants are the parameters and ε. If a step consists of two programs, the
+/// constants of the second are the results of the first.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     program: Program<Vec<Instruction>>,
@@ -111,12 +111,13 @@ impl Line {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }
 
-    /// Prepares a plan. A division by zero yields no value.
+    /// Prepares a plan. After a division by zero, a run of the program returns `None`.
     pub(crate) fn with_checked_divisions(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, true)
     }
 
-    /// Prepares the part of a step that depends on the state. A division by zero yields no value.
+    /// Prepares the program of a step that depends on the state. Its constants are the `prepared`
+    /// results of the first program. After a division by zero, a run returns `None`.
     pub(crate) fn of_kernel(plan: &Plan, symbols: &Symbols, prepared: usize) -> Self {
         Self::new(plan, symbols, prepared, true)
     }

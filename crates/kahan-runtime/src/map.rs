@@ -38,8 +38,8 @@ impl Map {
     }
 
     /// Returns the map whose steps in floats fuse multiply-adds: each a·b + c is rounded once. Such
-    /// steps take 3 to 14 % less time, and their last digits are different. On every processor with
-    /// fused operations, the digits are the same.
+    /// steps take 3 to 14 % less time. Their last digits differ from those of other steps, but are
+    /// equal on all processors with fused operations.
     ///
     /// The steps are machine code. Returns `None` if the processor has no fused operations, or if
     /// the step is not a straight-line program, as in large and dense fields;
@@ -103,7 +103,7 @@ impl Map {
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // With N = 4, `f32` steps are first tried in single precision. N has no other effect.
+        // N = 4 lets `f32` steps first try single precision; otherwise N does not affect results.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),
             5..=8 => self.try_step_among::<T, 8>(x, eps, next),

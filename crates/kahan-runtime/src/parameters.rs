@@ -130,7 +130,7 @@ where
     }
 }
 
-/// Reads the values with `read`, and returns the results in the order of `names`.
+/// Reads each given value with `read`, and returns the results in the order of `names`.
 pub(crate) fn in_order<N, V, R>(
     names: &[String],
     given: impl IntoIterator<Item = (N, V)>,

@@ -210,7 +210,7 @@ impl FieldText {
         &self.read_text().reading.notes
     }
 
-    /// Returns the random seed with which the macro proves claims.
+    /// Returns the seed of the random choices in proofs of claims. The macro uses the same seed.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
         kahan_algebra::seed(&self.tokens())

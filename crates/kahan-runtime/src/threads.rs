@@ -13,9 +13,9 @@ pub fn available() -> usize {
 
 /// Runs `work` for each index below `count`, roughly in order.
 ///
-/// `threads` defaults to the number of hardware threads. With one thread or one index, the work
-/// runs on the caller's thread, which also works on machines without threads. A panic in `work` is
-/// passed on.
+/// `threads` defaults to the number of hardware threads. With one thread or one index, the caller's
+/// thread does the work, so that this function also works on machines without threads. A panic in
+/// `work` is passed on.
 #[expect(clippy::disallowed_methods, reason = "work is shared out here")]
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.unwrap_or_else(available);

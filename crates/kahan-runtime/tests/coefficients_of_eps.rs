@@ -312,6 +312,6 @@ fn exact_orbits_are_those_of_the_formula() {
     let (eps, start) = (Rational::new(1, 3), Rational::new(-2, 5));
     let mut orbit = map.exact_orbit(&eps, &[start]).unwrap();
     (0..10).for_each(|_| assert!(orbit.advance()));
-    // After the steps 1/x is −5/2 − 20·(1/3)·(1 + 1/6) = −185/18.
+    // With ε = 1/3 and a = 3/2, 1/x is now −5/2 − 20ε(1 + aε²) = −185/18.
     assert_eq!(orbit.point(), [Rational::new(-18, 185)]);
 }

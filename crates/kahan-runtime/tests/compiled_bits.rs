@@ -109,7 +109,7 @@ fn long_constants_are_rounded_once_for_each_scalar() {
     agree::<_, BigRational, 2>("long constants", &compiled, &exact);
 }
 
-/// Returns a field in seven variables, so dense that its step uses elimination.
+/// Returns a field in seven variables, too dense for a step by a straight-line program.
 fn beyond_the_budget() -> String {
     let names = ["a", "b", "c", "d", "e", "f", "g"];
     let equation = |i: usize| {
@@ -172,7 +172,7 @@ fn a_field_of_more_variables_than_the_type_has_is_refused() {
     }
 }
 
-/// A field of three variables is run with four or eight, of which the added ones are constant.
+/// A field of three variables runs as a map in four or eight; the added variables are constant.
 #[test]
 fn variables_that_stand_still_change_nothing() {
     for (command, parameters) in [("e1", vec![]), ("e3", vec![]), ("e9", vec![q("0.1")])] {

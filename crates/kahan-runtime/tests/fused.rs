@@ -1,4 +1,4 @@
-//! Fused steps have the bits of ensembles at a fused level, however an orbit is cut into calls.
+//! Fused steps have the bits of ensembles with fused multiply-adds, however an orbit is divided.
 
 use kahan_core::{Composition, Level};
 use kahan_runtime::{Field, Map, MapAt};
@@ -54,7 +54,7 @@ fn compensated_sums_are_fused_from_the_first_step() {
         let whole = fused.at(0.005);
         let (mut x, mut carry) = (start.to_vec(), vec![0.0; start.len()]);
         whole.advance_with_carry(&mut x, &mut carry, 50_000).expect("states of its length");
-        // A map of its own has no code yet, and each call has too few steps to pay for it.
+        // This new map has no code yet, and no call has enough steps to compile it.
         let cut = fused.at(0.005);
         let (mut y, mut rest) = (start.to_vec(), vec![0.0; start.len()]);
         for _ in 0..50_000 {
@@ -68,7 +68,7 @@ fn compensated_sums_are_fused_from_the_first_step() {
 fn columns_of_fused_maps_are_fused_orbits() {
     for (text, start) in FIELDS {
         let Some([_, fused]) = fused(text) else { return };
-        // In one or two variables an ensemble shares a division, which changes last digits.
+        // In one or two variables, ensembles divide once for several trajectories; digits differ.
         if start.len() < 3 {
             continue;
         }

@@ -96,7 +96,7 @@ fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values
     worst
 }
 
-/// Chains of up to about thirty sites are eliminated as a whole, longer chains in segments.
+/// Tests chains of up to about thirty sites, which are eliminated as a whole, and longer ones.
 #[test]
 fn chains_have_the_bits_of_the_macro() {
     for sites in [1, 2, 3, 4, 5, 8, 13, 40, 300, 4500] {

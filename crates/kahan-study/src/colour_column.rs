@@ -12,8 +12,8 @@ use crate::study::Study;
 pub struct ColourColumn {
     /// The observable.
     pub observable: Observable,
-    /// The name of the column. The name of [`Observable::Drift`] means the largest drift of all
-    /// integrals.
+    /// The name of the column. If it is that of [`Observable::Drift`] itself, the number is the
+    /// largest drift of all integrals.
     pub column: String,
 }
 
@@ -62,7 +62,7 @@ impl ColourColumn {
             StoredColumn::F64(numbers) => numbers,
             other => unreachable!("what is observed is a number, and not {other:?}"),
         };
-        // A parameter may also be called `ended`, so the column with text is searched.
+        // A parameter may also be called `ended`, but only the observed column contains text.
         let is_word = |place: &usize| matches!(table.values[*place], StoredColumn::Text(_));
         let is_end = |place: &usize| is_word(place) && table.columns[*place].name == "ended";
         let place_of_end = (0..table.values.len()).find(is_end).expect("a row an orbit");
@@ -80,7 +80,7 @@ impl ColourColumn {
         let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
         let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
         if self.observable == Observable::Escape {
-            // An orbit with the end `range` escaped in the step after its last finite point.
+            // An orbit that ended with `range` escaped in the step after its last finite point.
             for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
                 values[row] = (steps[row] + 1) as f64;
             }

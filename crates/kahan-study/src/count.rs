@@ -1,4 +1,4 @@
-//! Counts the work that one or several threads have done, and reports it to a watch.
+//! Counts the work that one or several threads have done, and reports it to the caller's [`Watch`].
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};

@@ -17,7 +17,7 @@ use crate::study::{MOST_VARIABLES, assigned};
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
 
-/// The reason why a subject cannot be studied, or a question has no answer.
+/// The reason why a field cannot be studied, or a request has no answer.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum StudyError {
@@ -243,7 +243,7 @@ pub enum StudyError {
     },
     /// The question measures times, but the caller's `Watch` provides no clock.
     NoClock,
-    /// Settings cannot be compared by cost and error, because nothing can be measured.
+    /// The settings cannot be compared, because their costs or errors cannot be measured.
     Trade {
         /// The name of the field.
         system: String,

@@ -90,7 +90,7 @@ impl Calls<Called> for Exact {
     }
 }
 
-/// An operation of a formula. The inputs are the variables, followed by the known numbers.
+/// An operation of a formula. The inputs are the variables, followed by the named numbers.
 type Operation = kahan_program::Operation<usize, Rational, Called>;
 
 type Builder = kahan_program::Builder<usize, Rational, Called>;
@@ -328,8 +328,8 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Joins operands from left to right. An operand whose flag is set is joined by `inverse`, the
-    /// others by `operator`.
+    /// Combines operands from left to right: by `inverse` (such as −) if the operand's flag is set,
+    /// and otherwise by `operator` (such as +).
     fn chain<'a>(
         &self,
         builder: &mut Builder,

@@ -26,12 +26,12 @@ use crate::study::Study;
 pub struct Lifting {
     /// The kind of lift.
     pub which: LiftCriterion,
-    /// The first point of the orbit along which lifts are compared, by default the one in the text.
+    /// The start of the orbit along which lifts are compared, by default that in the text.
     pub start: Option<Vec<Rational>>,
     /// The names of the coordinates of `start`. If empty, the coordinates are in the order of the
     /// variables.
     pub names: Vec<String>,
-    /// Values for parameters that have no given value. Lifts are compared at these values.
+    /// Values of parameters without a value from the caller or the text, used to compare lifts.
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
@@ -63,7 +63,7 @@ pub(crate) struct Lifted {
     /// The variables that answers show; `places` holds the index of each among all variables.
     shown: Vec<String>,
     places: Vec<usize>,
-    /// For each parameter of the lift, its index among the parameters of the field.
+    /// For each parameter of `lift`, its index among the field's; `None` if the field lacks it.
     parameters: Vec<Option<usize>>,
     /// The derivatives of the new variables by the original variables, computed on first use.
     slopes: OnceLock<Embedding>,
@@ -145,7 +145,7 @@ impl Lifted {
     }
 }
 
-/// Returns the text of the claims in `given` with the rational constants that they use, and the
+/// Returns the text of the claims in `given` and of the rational constants that they use, and the
 /// names of these claims and constants.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
@@ -296,7 +296,7 @@ impl Study {
         self.lift().filter(|lift| lift.has_time).map(|lift| lift.states.len() - 1)
     }
 
-    /// Returns the indices of the shown columns among: step, time, all variables, all integrals.
+    /// Returns the indices of shown columns. All columns are step, time, variables and integrals.
     pub(crate) fn columns_shown(&self, columns: usize) -> Vec<usize> {
         let Some(lifted) = self.lifted() else { return (0..columns).collect() };
         let time = self.time_place().map_or(1, |place| 2 + place);
@@ -355,7 +355,7 @@ impl Study {
         let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
         let new = lifted.lift.embed(&floats(&states), &floats(&own));
         let undefined = lifted.lift.new.iter().zip(&new).find(|(_, value)| !value.is_finite());
-        // If rounding makes all new variables finite, the error names the first of them.
+        // Rounding may make all new variables finite; the error then names the first of them.
         let (new, _) = undefined.or_else(|| lifted.lift.new.iter().zip(&new).next()).expect("a new variable");
         Err(StudyError::NotEmbedded {
             variable: new.name.clone(),
@@ -367,7 +367,7 @@ impl Study {
 /// The length of the time interval over which errors of relations are measured.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
-/// Each eighth of an orbit is divided into this number of segments, whose largest errors are kept.
+/// The number of segments of an eighth of an orbit. The largest error in each segment is kept.
 const SEGMENTS_PER_EIGHTH: usize = 50;
 /// An error that grows by this factor from the first to the last eighth of an orbit drifts.
 const DRIFT_GROWTH: f64 = 1.5;
@@ -375,7 +375,8 @@ const DRIFT_GROWTH: f64 = 1.5;
 const LARGEST_ROUNDING_ERROR: f64 = 1e-11;
 
 impl RelationErrors {
-    /// Returns the growth of a relation's error from the first to the last eighth of the orbit.
+    /// Returns the factor by which the error of relation `place` grew from the first to the last
+    /// eighth of the orbit; `None` if the orbit ended before.
     pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
         let (first, last) = (
@@ -503,7 +504,7 @@ pub struct WatchedOrbit {
 pub struct NewFound {
     /// The name of the variable.
     pub name: String,
-    /// The variable as a function of the original ones; `None` for work, an integral over time.
+    /// The variable as a function of the original ones; `None` for an integral over time.
     pub expression: Option<String>,
     /// The expression in LaTeX.
     #[serde(skip)]
@@ -522,7 +523,7 @@ pub struct RelationFound {
     pub along: Option<RelationFate>,
     /// The formula that the map preserves exactly.
     pub formula: Option<String>,
-    /// The growth rate λ of errors, which grow like exp(λt): the largest rate of all relations.
+    /// The largest λ for which the error of any relation grows like exp(λt).
     #[serde(serialize_with = "finite")]
     pub rate: Option<f64>,
     /// The index, among the new variables, of the variable that the relation defines.
@@ -552,7 +553,7 @@ pub enum RelationFate {
 }
 
 impl RelationFate {
-    /// Combines the computed behaviour of small errors with the measured growth.
+    /// Combines the computed behaviour of small errors with `drift`, their growth along an orbit.
     fn of(along: RelationBehaviour, drift: Option<f64>) -> Self {
         match along {
             RelationBehaviour::Kept => RelationFate::Kept,

@@ -76,8 +76,8 @@ impl Study {
         if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }
     }
 
-    /// Follows the orbit from `at` until t = 100, unless the lift was chosen by an orbit. Returns a
-    /// warning if an error of the lift's relations grows more than 100-fold.
+    /// Returns a warning if an error of the lift's relations grows more than 100-fold along the
+    /// orbit from `at` until t = 100; `None` if the lift was already chosen along an orbit.
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
@@ -148,8 +148,8 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
                 self.negative(x).is_none()
             }
             Some(project) => {
-                // The projection tries several steps. Only the first starts on the relations, so
-                // only its result is checked.
+                // The projection makes steps from several points. Only the first of these satisfies
+                // the relations, so only the signs after the first step are checked.
                 let (mut is_first, mut has_signs) = (true, true);
                 let is_there = project(x, &mut |point| {
                     step(point);

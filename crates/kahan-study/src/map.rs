@@ -1,4 +1,4 @@
-//! The norm ‖f′(x)‖ of a map's field, and the reasons why a system cannot be run.
+//! The norm ‖f′(x)‖∞ of a field's Jacobian, and the reasons why a system cannot be run.
 
 use kahan_runtime::interpreted::UnsupportedDimension;
 use kahan_runtime::{MapAt, ParameterError};

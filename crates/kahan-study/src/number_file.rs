@@ -62,10 +62,10 @@ impl<V: FileNumber> Numbers<V> {
 }
 
 impl Numbers<Option<Rational>> {
-    /// Reads a point from each row. Named columns are matched with the states; otherwise each
-    /// column is a state, except for a first column that counts the rows from 0.
+    /// Reads a point from each row. Named columns are matched with the states. Columns without
+    /// names are the states in their order; a first column 0, 1, 2, … is skipped.
     ///
-    /// An error is the rest of a sentence that begins with the file's name.
+    /// The error text continues a sentence that begins with the file's name.
     pub fn points(&self, wanted: &ExpectedColumns<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
         let states = wanted.states;
@@ -114,7 +114,7 @@ fn table<V: FileNumber>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
     let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
     let mut numbers = Numbers { names: None, sizes: Vec::new(), values: Vec::new() };
-    // Reads from memory cannot fail, so an error means invalid text.
+    // Reading from memory cannot fail, so an error means that the bytes are not UTF-8.
     while cells.read_record(&mut row).map_err(|_| "it is no text".to_owned())? {
         if row.len() == 1 && row[0].is_empty() {
             continue;

@@ -107,7 +107,7 @@ impl Range {
         let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
         let range = Range { from, to, spacing: Spacing::Count(found.len()) };
         range.check(MAX_TABLE_VALUES as u64).ok()?;
-        // A thousandth of the distance between values far exceeds the rounding error of a value.
+        // Values may deviate by a thousandth of their spacing, which far exceeds rounding errors.
         let near = 1e-3 * range.step().to_f64();
         let is_near = |(found, value): (&f64, Rational)| (found - value.to_f64()).abs() < near;
         let is_spaced = found.iter().zip(range.values()).all(is_near);
@@ -153,7 +153,7 @@ impl Range {
             Spacing::Count(count) | Spacing::Cells(count) => *count,
             Spacing::Step(step) => {
                 let steps = (&self.to - &self.from).checked_div(step).expect("a range has steps");
-                // Rounding can increase the quotient to the next whole number, but not beyond.
+                // Rounding may give the next whole number, but no larger one.
                 let near = steps.to_f64() as usize;
                 if Rational::from(near as i64) > steps { near } else { near + 1 }
             }

@@ -16,8 +16,7 @@ const MOST_OF_MANY: u64 = 4;
 /// Above this number of variables, evaluating f′ costs more than computing a row of an orbit table.
 const MANY_VARIABLES: usize = 32;
 
-/// If λ is the rate at which a component changes, steps with |2ελ| above this bound do not resolve
-/// it.
+/// Steps with |2ελ| above this bound do not resolve a component that changes at the rate λ.
 const UNRESOLVED_RATE: f64 = 2.0;
 
 /// The growth of a vector is measured over 32 multiplications by f′, the field's Jacobian, after 16
@@ -94,7 +93,7 @@ impl Rates {
 
 /// Estimates the spectral radius by power iteration, as the mean growth factor of a vector.
 fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
-    // A symmetric field has invariant subspaces; a generic start lies outside of them.
+    // A vector with a symmetry of the field would keep it under f′; this vector has none.
     let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();
     let mut product = vec![0.0; n];
     let [before, measured] = PRODUCT_COUNTS;
@@ -104,7 +103,7 @@ fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
             *entry = row.iter().zip(&x).map(|(a, x)| a * x).sum();
         }
         let length = product.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
-        // The matrix is nilpotent, or its entries are too large.
+        // The length is 0 if the matrix is nilpotent, and not finite if its entries are too large.
         if length == 0.0 || !length.is_finite() {
             return length;
         }

@@ -74,7 +74,6 @@ impl Study {
             let functions = lift.embed(&x[..states], &own);
             for (errors, size) in errors.iter_mut().zip(&sizes) {
                 let error = size.at(x, states, &functions);
-                // A segment without points gets the smaller error of the neighbouring segments.
                 errors.resize(part + 1, errors.last().copied().unwrap_or(error).min(error));
                 errors[part] = error.max(errors[part]);
             }
@@ -99,8 +98,8 @@ fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
 }
 
 impl Subject {
-    /// Reads the field like [`study`](Subject::study). Without a known first point, the lift is
-    /// chosen along [`Study::shown_orbit`], if all parameters have values.
+    /// Reads the field like [`study`](Subject::study). If no first point is given, the lift is
+    /// chosen along [`Study::shown_orbit`], provided that all parameters have values.
     ///
     /// # Errors
     /// The errors of [`study`](Subject::study).
@@ -136,7 +135,7 @@ impl LiftFound {
             .map_or_else(|| format!("{} = 0", relation.relation), |(name, value)| format!("{name} = {value}"))
     }
 
-    /// Says whether the search for fewer new variables was complete.
+    /// Describes whether a complete search has excluded lifts with fewer new variables.
     #[must_use]
     pub fn optimality(&self) -> &'static str {
         if self.optimal {
@@ -154,7 +153,7 @@ impl RelationFound {
         self.verdict_asking("give a first point")
     }
 
-    /// Describes the behaviour along the orbit, or asks for a first point by the text `for_point`.
+    /// Describes the error along the orbit; without an orbit, asks for one with `for_point`.
     #[must_use]
     pub fn verdict_asking(&self, for_point: &str) -> String {
         let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));

@@ -245,7 +245,7 @@ pub struct Ending {
     pub step: u64,
     /// A sentence on why no next point exists; `None` for a complete or interrupted orbit.
     pub why: Option<String>,
-    /// The name of an option, and another value of the option that may help.
+    /// The name of an option, and a value with which the orbit may go on.
     pub instead: Option<[&'static str; 2]>,
     /// A remark about the orbit, unrelated to its end, as a sentence.
     pub note: Option<String>,

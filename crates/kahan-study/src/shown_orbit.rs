@@ -69,11 +69,11 @@ impl Study {
                     continue;
                 }
             };
-            // Without a lift, `rate` overestimates frequencies, so `share` = ε·`rate` is larger.
+            // Without a lift, `rate` exceeds the frequencies, so `share` = ε·`rate` may be larger.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
-            // Later trials use the rates along earlier orbits. There are two trials; for lifted
-            // fields up to four, until an orbit stays bounded.
+            // In each later trial, ε follows from the rate along the previous orbit. There are two
+            // trials; for lifted fields up to four, until an orbit stays bounded.
             for look in 0..4 {
                 if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
                     break;
@@ -157,8 +157,8 @@ impl<'a> StepsAndRates<'a> {
         values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
 
-    /// Returns ‖f′‖∞, or for a lifted field ‖J²‖∞^(1/2), where J is the Jacobian of the original
-    /// equations; for an oscillator this is the frequency.
+    /// Returns ‖f′‖∞, or for a lifted field √‖J²‖∞, where J is the Jacobian of the original
+    /// equations. For an oscillator, √‖J²‖∞ is the frequency.
     fn rate(&self, x: &[f64]) -> f64 {
         /// The step size of central differences, about the cube root of the rounding error.
         const DIFFERENCE_STEP: f64 = 1e-5;
@@ -247,7 +247,7 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 }
 
 /// Returns the length scale of the field, a power of two at which terms of different degrees
-/// balance. If all terms are quadratic, points of this size move by about their size in time ε.
+/// balance. If all terms are quadratic, points of this size move by about this size in time ε.
 fn length_scale(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));
@@ -318,7 +318,7 @@ mod tests {
         assert_eq!(round_below(f64::INFINITY), Rational::one());
     }
 
-    /// Chooses an orbit in units of 2^−k for lengths and 2^−j for times, and converts it back.
+    /// Chooses an orbit of the field with q = 2^k and nu = 2^j, and converts it to q = nu = 1.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
         let power = |exponent: i32| f64::from(exponent).exp2();
         let field = Subject::text(text).study(&Systems).unwrap();
@@ -349,7 +349,7 @@ mod tests {
                 }
             }
         }
-        // A homogeneous field determines only the product of the units of length and time.
+        // In this field q and nu occur only as a product.
         let text = "xdot = q*nu*x*(y - z); ydot = q*nu*y*(z - x); zdot = q*nu*z*(x - y);";
         for unit in [[300, 0], [-300, 0], [0, 50], [-77, 13]] {
             assert_eq!(in_unit(text, unit, Some(0.01)), in_unit(text, [0, 0], Some(0.01)), "{unit:?}");

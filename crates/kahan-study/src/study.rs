@@ -211,7 +211,7 @@ impl Study {
         self.coordinates().iter().map(|state| named(self.given_text().start(), state)).collect()
     }
 
-    /// Returns the given values of the parameters, or else those of the text.
+    /// Returns the given value of each parameter, or if there is none, the value in the text.
     #[must_use]
     pub fn valued(&self) -> Vec<Option<Rational>> {
         let own = |name| named(self.given_text().parameters(), name);
@@ -255,8 +255,8 @@ impl Study {
         &self.here.given
     }
 
-    /// Returns the study at these parameter values, which replace all earlier values. Both studies
-    /// use the same proofs and plans.
+    /// Returns the study with these parameter values only; all earlier given values are dropped.
+    /// Both studies use the same proofs and plans.
     ///
     /// # Errors
     /// An unknown name, or a name given twice.
@@ -285,7 +285,7 @@ impl Study {
         self.at(given)
     }
 
-    /// Returns the study at this ε, where claims with a satisfied condition `when` are
+    /// Returns the study at this ε. Claims whose condition `when` holds at this ε become
     /// unconditional.
     ///
     /// # Errors
@@ -480,7 +480,7 @@ impl Study {
             .join(", ")
     }
 
-    /// Explains why a point with det A = 0 has no image.
+    /// Returns why a point with det A = 0 has no image: a pole, or a map not in lowest terms.
     pub(crate) fn pole(&self) -> NoStep {
         if RationalMap::of(&self.system().field).is_some() { NoStep::Pole } else { NoStep::Unreduced }
     }

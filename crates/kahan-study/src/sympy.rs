@@ -15,7 +15,7 @@ use crate::question::{ClaimShown, FormulaSheet};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymPy;
 
-/// Keywords of Python, and the names by which `sympify` makes numbers and symbols.
+/// Keywords of Python, and functions to which `sympify` translates numbers and names.
 const KEYWORDS: [&str; 37] = [
     "Integer", "Symbol", "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class",
     "continue", "def", "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import",
@@ -28,7 +28,7 @@ fn python(text: &str) -> String {
     for part in text.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_') {
         let name = part.trim_end_matches(|c: char| !c.is_alphanumeric() && c != '_');
         formula += name;
-        // A name `lambda_` also gets a `_`, so that it differs from the name made of `lambda`.
+        // A name `lambda_` becomes `lambda__`, because `lambda` becomes `lambda_`.
         formula += if KEYWORDS.contains(&name.trim_end_matches('_')) { "_" } else { "" };
         formula += match &part[name.len()..] {
             "^" => "**",

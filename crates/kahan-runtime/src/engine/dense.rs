@@ -1,8 +1,8 @@
 //! Advances states of a dense field by loops over packed coefficients.
 //!
 //! In: the numbers of a state, and for each stage the packed coefficients and ε. Out: the numbers
-//! after some steps, with the bits of the interpreter, and a guard. If the guard is infinite, the
-//! interpreter must repeat the steps.
+//! after some steps, bit for bit as `Engine::advance` computes them, and a guard. If the guard is
+//! infinite, `Engine::advance` must repeat the steps.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::LARGEST_FACTOR;
@@ -69,8 +69,8 @@ fn nearest<T: MachineFloat>(number: &Rational) -> T {
 }
 
 /// Advances a state by steps of a dense field. The last of the `numbers` is a guard, which becomes
-/// infinite if the interpreter must repeat the steps. `stages` holds the coefficients of each
-/// distinct stage, the middle stage last.
+/// infinite if `Engine::advance` must repeat the steps. `stages` holds the coefficients of each
+/// stage of a palindromic composition, up to the middle stage.
 pub(crate) fn advance<T: MachineFloat>(kind: StepKind, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
     let Some((guard, numbers)) = numbers.split_last_mut() else { return };
     let dimension = if kind.compensated { numbers.len() / 2 } else { numbers.len() };
@@ -121,8 +121,8 @@ fn is_negative_zero<T: MachineFloat>(x: &T) -> bool {
     x.is_zero() && (T::one() / *x).approximate() < 0.0
 }
 
-/// Advances many trajectories by SIMD loops; each column holds one variable. If a trajectory has a
-/// too small pivot, a nonfinite number or a number −0, `alone` repeats its steps.
+/// Advances many trajectories by SIMD loops; each column holds one variable. The closure `alone`
+/// repeats steps with a too small pivot, with a number that is not finite, or from a state with −0.
 pub(crate) fn advance_columns<T: MachineFloat>(
     kind: StepKind,
     columns: &mut [&mut [T]],
@@ -132,7 +132,7 @@ pub(crate) fn advance_columns<T: MachineFloat>(
 ) {
     let (n, width) = (columns.len(), points::<T>());
     let trajectories = columns.first().map_or(0, |column| column.len());
-    // The scratch leaves its thread-local cell, because `alone` borrows this cell too.
+    // Take the scratch memory out of its thread-local cell, because `alone` borrows the cell too.
     let mut scratch = with_scratch(T::single(), std::mem::take);
     let Scratch { state, guarded, given, registers, workspace, dense, .. } = &mut scratch;
     for first in (0..trajectories).step_by(width) {

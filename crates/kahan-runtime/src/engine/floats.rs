@@ -31,7 +31,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     #[doc(hidden)]
     fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
-    /// Evaluates a function of the field by machine code. Returns `false` if there is none.
+    /// Evaluates a function derived from the field; returns `false` if it has no machine code.
     #[doc(hidden)]
     fn has_evaluated(
         _engine: &Engine,
@@ -62,7 +62,7 @@ type EightLanes<T> = RegisterPair<RegisterPair<RegisterPair<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
-    /// A scalar whose SIMD lanes hold one number of each of several orbits.
+    /// A SIMD scalar with one orbit in each lane.
     #[doc(hidden)]
     type GroupCode: Lanes<Self>;
 

@@ -20,7 +20,7 @@ pub(crate) type GroupCodeCell<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 #[derive(Debug)]
 pub(crate) struct GroupCode<T> {
     code: Arc<Sweep<T>>,
-    /// The constants, ordered by stage, then by register of lanes, then by index within the stage.
+    /// The constants, ordered by stage, then by SIMD register, then by index within the stage.
     constants: Vec<T>,
     stages: usize,
 }
@@ -43,8 +43,8 @@ impl Engine {
 
     /// Returns code for the steps of a group of orbits, with tangent vectors after each point.
     ///
-    /// If `constants` (the parameters and ε of each map) are given, a straight-line program
-    /// computes the vectors from them. Otherwise each stage is a step of the variational field.
+    /// If `constants` (the parameters and ε of each map) are given, a straight-line program uses
+    /// them to compute the vectors. Otherwise a stage is a step of the variational field.
     pub(crate) fn group_code_with_vectors<T: MachineFloat>(
         &self,
         stages: [&CompiledStages<T>; GROUP],

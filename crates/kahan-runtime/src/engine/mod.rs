@@ -1,7 +1,7 @@
 //! Evaluates functions derived from a field, such as the map and its Jacobian, at a state.
 //!
-//! In: plans (straight-line programs of these functions), and slices of checked lengths. Out:
-//! numbers with the same bits as in generated code. All maps of a field share its plans.
+//! In: plans (straight-line programs of functions), and slices whose lengths were checked. Out:
+//! numbers with the bits that code from `kahan!` gives. All maps of a field use the same plans.
 
 mod coded;
 mod coded_columns;
@@ -218,7 +218,8 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Advances a state by interpreted steps. A nonempty `carry` holds the rounding errors.
+    /// Advances a state by interpreted steps. If `carry` is not empty, it holds the rounding errors
+    /// of the state for compensated summation.
     pub(crate) fn advance<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -357,8 +358,8 @@ pub(crate) fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     (parameters, *eps)
 }
 
-/// Returns the parameters and ε at which integrals are evaluated. For compositions ε is 0, since
-/// compositions nearly preserve the integrals of the flow.
+/// Returns the parameters and ε at which integrals are evaluated. Compositions nearly preserve the
+/// integrals of the flow, which are the integrals at ε = 0.
 pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<T> {
     let (parameters, eps) = split(constants);
     let eps = if composition == Composition::KAHAN { eps } else { T::zero() };

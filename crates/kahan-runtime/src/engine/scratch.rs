@@ -19,7 +19,7 @@ pub struct Scratch<V> {
     pub(crate) given: Vec<V>,
     pub(super) state: Vec<V>,
     pub(super) stages: Vec<Vec<V>>,
-    /// Copies of columns, made before steps that may be rejected.
+    /// Copies of states, made before steps that may be rejected.
     pub(super) guarded: Vec<V>,
     pub(super) dense: dense::Workspace<V>,
 }

@@ -19,7 +19,7 @@ use super::scratch::Workspace;
 #[derive(Debug)]
 pub(crate) struct StepForms {
     first: Step,
-    /// A formula that does not divide by ε, for values of ε at which dividing by ε loses accuracy.
+    /// A step that does not divide by ε, used if a division by ε loses accuracy.
     general: Option<Step>,
     divides_by_eps: bool,
 }
@@ -40,7 +40,7 @@ impl StepForms {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
-    /// Returns whether generated code on numbers of type V rounds an increment before adding it; if
+    /// Returns whether generated code rounds the product in an increment before adding it to x. If
     /// not, it uses a multiply-add. `is_general` says that the step does not divide by ε.
     pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
         is_general && may_divide_by(&V::one())
@@ -63,7 +63,8 @@ pub(crate) struct Step {
     /// and one for the field.
     lines: Vec<Line>,
     couplings: Option<EliminationPattern>,
-    /// For each increment, its numerator and 1/denominator, as indices of results.
+    /// For each increment, the indices of its numerator and of 1/denominator in the program's
+    /// results; `None` for an increment without a denominator.
     pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
@@ -239,7 +240,7 @@ impl Step {
         outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
     }
 
-    /// Returns the numerator and 1/denominator of increment i; if `rounds` is true, their product.
+    /// Returns the numerator and 1/denominator of increment i; if `rounds`, their product alone.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
         let (numerator, reciprocal) = self.quotients[i];

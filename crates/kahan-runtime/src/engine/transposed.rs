@@ -40,7 +40,7 @@ impl<T: RuntimeFloat> TransposedSolver<'_, T> {
         move |i, j| places[&(i, j)]
     }
 
-    /// Replaces b by A⁻ᵀb for A = I − εf′. If A is singular, b is not finite.
+    /// Replaces b by A⁻ᵀb for A = I − εf′, f′ = `slopes`. If A is singular, b is not finite.
     pub(crate) fn solve(&mut self, slopes: &[T], eps: T, b: &mut [T]) {
         let n = self.variables;
         if let Some(tables) = self.tables {

@@ -5,10 +5,10 @@
 //! the catalog's system E4. A gcd of such long numbers costs more than the step itself, so
 //! [`ContentPredictor`] predicts the content from earlier steps.
 //!
-//! # Other maps
+//! # Maps without a long content
 //!
-//! If [`MAX_NEGLIGIBLE_CONTENTS`] contents in a row are negligible (have less than one per cent of
-//! the digits), the search for contents stops until the computation of heights finds a longer one.
+//! If [`MAX_NEGLIGIBLE_CONTENTS`] contents in a row have less than one per cent of the digits, the
+//! search stops until the computation of heights finds a longer content.
 
 use std::collections::VecDeque;
 
@@ -24,7 +24,7 @@ use super::reduction::in_halves;
 const NEGLIGIBLE: usize = 100;
 /// After this number of successive negligible contents, no more contents are sought.
 const MAX_NEGLIGIBLE_CONTENTS: u32 = 3;
-/// The number of bits from which predicting a content pays.
+/// The number of bits of the longest coordinate above which predicting the content saves time.
 const WORTH_PREDICTING: usize = 1 << 13;
 const WORTH_A_THREAD: usize = 1 << 17;
 const LAGS: usize = 4;

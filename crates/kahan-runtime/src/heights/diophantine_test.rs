@@ -45,7 +45,7 @@ impl DiophantineTest {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // If both limits are reached, the result is `Stop::Digits`, which no clock affects.
+            // `Stop::Digits` precedes `Stop::Seconds`, because it does not depend on the clock.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.check_expected_digits().is_ok();
             if step > 0 && (is_late || !goes_on) {

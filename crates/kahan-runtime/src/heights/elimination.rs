@@ -19,7 +19,7 @@ pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
         for (i, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
             let factor = std::mem::take(&mut row[k]);
             for (entry, above) in row.iter_mut().zip(&pivot_row).skip(k + 1) {
-                // In a field with many variables, most entries are 0 and stay 0.
+                // Skip zeros: in a field with many variables, most entries are 0 and stay 0.
                 if entry.is_zero() && (factor.is_zero() || above.is_zero()) {
                     continue;
                 }
@@ -53,7 +53,7 @@ mod tests {
             let left: IBig = row.iter().zip(x).map(|(a, x)| a * x).sum();
             assert_eq!(left, &row[3] * weight);
         }
-        // The determinant, computed by hand, is 6; `weight` may have the other sign.
+        // By hand, the determinant of the matrix is 6; `weight` may be 6 or −6.
         assert_eq!(weight * weight, IBig::from(36));
     }
 

@@ -11,16 +11,17 @@ use std::fmt;
 /// The class is *bounded* if N ≥ 4 and the greatest height occurs in the first half.
 ///
 /// For 4 ≤ N < 8, the class is *exponential* if it is not bounded, and if the last three ratios
-/// h_n/h_{n−1} are at least 1.5 and agree within 5 %.
+/// h_n/h_{n−1} are at least 1.5 and differ by at most 5 %.
 ///
 /// For N ≥ 8, the last 4⌊N/4⌋ heights are divided into four groups of equal length. Let d₁, d₂, d₃
 /// be the first differences of the groups' means, and s₁, s₂ the second differences. If all dₖ are
-/// positive, the first true row gives the class:
+/// positive, the first row whose condition holds gives the class; r and r′ are the sums of squared
+/// residuals of the least-squares lines in n and in log n.
 ///
 /// | class | condition |
 /// |---|---|
-/// | linear | 0.87 ≤ d₃/d₂ ≤ 1.15; a line in n has at most half the residual of a line in log n |
-/// | logarithmic | 0.87 ≤ d₃/d₂ ≤ 1.15; a line in log n has at most half the residual |
+/// | linear | 0.87 ≤ d₃/d₂ ≤ 1.15, r ≤ r′/2 |
+/// | logarithmic | 0.87 ≤ d₃/d₂ ≤ 1.15, r′ ≤ r/2 |
 /// | logarithmic | d₃/d₂ < 0.75, d₂/d₁ < 0.75, N ≥ 16 |
 /// | quadratic | d₃/d₂ > 1.15, 0.7 ≤ s₂/s₁ ≤ 1.3 |
 /// | exponential | d₃/d₂ ≥ 1.5, d₃/d₂ ≥ 0.9 d₂/d₁, s₂/s₁ ≥ 0.9 d₃/d₂ |
@@ -28,7 +29,7 @@ use std::fmt;
 /// In all other cases the class is *undecided*.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// h_n is bounded: the orbit is periodic, possibly with period 1.
+    /// The heights h_n are bounded, so the orbit has only finitely many points.
     Bounded,
     /// h_n ~ log n.
     Logarithmic,

@@ -8,7 +8,7 @@ use kahan_algebra::poly::Variable;
 use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 
-/// The arithmetic of ℤ; a constant or quotient that is not an integer is undefined.
+/// The arithmetic of ℤ, for programs whose constants and quotients are all integers.
 #[derive(Clone, Copy, Debug)]
 struct Integers;
 
@@ -28,8 +28,7 @@ impl Arithmetic for Integers {
         a - b
     }
 
-    /// Squares an operand that is multiplied by itself, which takes two thirds of the time of a
-    /// product.
+    /// Returns a·b. If both are one object, squares it, which takes two thirds of the time.
     fn multiply(&self, a: &IBig, b: &IBig) -> IBig {
         if std::ptr::eq(a, b) { a.sqr().into() } else { a * b }
     }

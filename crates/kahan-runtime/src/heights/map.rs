@@ -1,8 +1,8 @@
 //! Kahan's map on projective integers (X₁ : … : X_n : W), which stand for the point xᵢ = σXᵢ/W.
 //!
 //! In: a system, values of its parameters, and ε. Out: steps without fractions, by the map in
-//! lowest terms, homogenised with W, or, if this has too many terms, by fraction-free elimination
-//! of A x̃ = b over ℤ. The constant σ is 1/ε for a homogeneous field, otherwise 1.
+//! lowest terms, homogenised with W. If that map has too many terms, elimination over ℤ solves
+//! A(x,ε) x̃ = b. The constant σ is 1/ε for a homogeneous field, otherwise 1.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
@@ -35,7 +35,7 @@ enum Formula {
     /// The reduced map, with numerators N₁ … N_n and a denominator D that `monomial` divides. The
     /// plan computes N₁ … N_n and D/`monomial`, then the denominator of the inverse map.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
-    /// The plan of the entries of A and of b, which are forms of degree one.
+    /// The plan of A and b in A x̃ = b; their entries are homogeneous of degree 1 in X and W.
     Elimination(Plan),
 }
 
@@ -52,7 +52,8 @@ impl ProjectiveMap {
     /// Prepares the map of `system` at ε, half the time step. Parameter values have the order of
     /// declaration.
     ///
-    /// The values are substituted *after* the reduction over ℚ(ε, parameters).
+    /// The map is reduced over ℚ(ε, parameters) before the values are substituted, so factors that
+    /// are common only at these values are not cancelled.
     ///
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.
@@ -117,7 +118,7 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// Makes one step. Divides out a common factor if gcd(Xᵢ, W), listed in `factors`, is long.
+    /// Makes one step. If some gcd(Xᵢ, W) in `factors` is long, divides out a common factor.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {
@@ -161,7 +162,7 @@ impl Values<'_> {
             .fold(at_eps, |polynomial, (k, value)| polynomial.substitute(symbols.parameter(k), value))
     }
 
-    /// For a map x̃ = x + 2εn/d, returns xᵢd + 2εnᵢ and d, made homogeneous of one degree.
+    /// For a map x̃ = x + 2εn/d, returns xᵢd + 2εnᵢ and d, homogenised with W to equal degrees.
     fn forms(&self, map: &RationalMap) -> Vec<Polynomial> {
         let denominator = self.put_into(&map.reduced.denominator);
         let two_eps = &self.eps + &self.eps;

@@ -44,7 +44,7 @@ pub struct HeightsOrbit {
     bits: PointBits,
 }
 
-/// The numbers of bits of the previous and of the current point, both 0 before the second point.
+/// The bits of the longest coordinate of the previous and of the current point; at first both 0.
 #[derive(Clone, Copy, Debug, Default)]
 struct PointBits {
     before: usize,
@@ -156,7 +156,7 @@ impl HeightsOrbit {
     }
 
     /// Returns an error if the next point's coordinates are expected to have more than twice the
-    /// allowed digits. A smaller excess is found only after the step.
+    /// allowed digits. Otherwise the step is made, and the point is checked afterwards.
     pub(super) fn check_expected_digits(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
@@ -193,8 +193,8 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
-        // Let X/W be in lowest terms and σ = s/t. Then σX/W = sX/(tW), and the greatest common
-        // factor of sX and tW is gcd(s, W)·gcd(t, X).
+        // In lowest terms, let the coordinate be σ times X/W, with σ = s/t. Then the coordinate is
+        // sX/(tW), and gcd(sX, tW) = gcd(s, W)·gcd(t, X).
         let lost = short_gcd(&above, &weight) * short_gcd(&below, &x);
         let larger = (&above * x).max(&below * weight) / lost;
         let logarithm = natural_logarithm(&larger);

@@ -1,8 +1,8 @@
-//! The gcd(Xᵢ, W) of each coordinate with W, which heights need at every step.
+//! Computes gcd(Xᵢ, W) for each coordinate Xᵢ, which heights need at every step.
 //!
-//! If the gcds are small, one long gcd is enough: gcd(Xᵢ, W) = gcd(Xᵢ, P) for P = gcd(W, ∏Xᵢ mod
-//! W). Coordinates with a large gcd would make P long, so they are left out of the product. A large
-//! gcd of a coordinate usually stays large, so the gcds of the previous point predict large gcds.
+//! If these are small, one gcd of long numbers is enough: gcd(Xᵢ, W) = gcd(Xᵢ, P) for P = gcd(W,
+//! ∏Xᵢ mod W). Coordinates with a large gcd would make P large, so they are left out. A large gcd
+//! usually stays large, so the gcds of the previous point predict it.
 
 use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -20,8 +20,8 @@ const LARGE_FACTOR_FRACTION: usize = 8;
 
 /// Returns gcd(Xᵢ, W) for each coordinate Xᵢ of a point and its last coordinate W ≠ 0.
 ///
-/// `parts` are factors whose product is W, or empty. `before` are the gcds of the previous point,
-/// which predict large gcds, or empty.
+/// The product of the `parts` is W. The gcds of the previous point are `before`; they predict which
+/// gcds are large. If they are not known, either list is empty.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| LARGE_FACTOR_FRACTION * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {
@@ -34,7 +34,7 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
     let is_long = weight.bit_len() >= THREADED_GCD_BITS && threads::available() > 1;
     if parts.len() > 1 && is_long {
         // Let W = ∏ B over the factors B in `parts`. Each gcd(Xᵢ, W) divides ∏ gcd(B, ∏Xᵢ), which
-        // divides W.
+        // is shorter than W and therefore replaces it.
         let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
         let shares = in_halves(parts, |parts| parts.iter().map(share).collect::<Vec<UBig>>());
         return each_with(x, weight, &shares.iter().flatten().product());

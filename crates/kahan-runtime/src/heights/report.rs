@@ -22,7 +22,7 @@ impl Heights {
 /// The reason why an orbit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The last point is a pole: W = 0, or det A = 0 in a map that is not reduced.
+    /// The map has a pole at the last point, so the next point would have W = 0.
     Pole,
     /// The next point exceeds the bound of [`within_digits`](super::HeightsOrbit::within_digits),
     /// or is expected to exceed twice this bound.

@@ -2,12 +2,12 @@
 //!
 //! For the catalog's system E7, for example, x is a fraction of four digits while z has ten
 //! thousand. Then some Xᵢ and W have a long common factor g: Xᵢ = g aᵢ, W = g b with short aᵢ and
-//! b. A form N in all coordinates is Σ gʲ Nⱼ, where Nⱼ has degree j in the short aᵢ and b.
+//! b. A homogeneous polynomial N is Σ gʲ Nⱼ, where Nⱼ has degree j in the aᵢ and b.
 //!
 //! # Gain
 //!
-//! Few long products remain, and the lowest power of g in all forms is divided out at no cost. The
-//! gcd of g with all N₀ divides the result, too. For E7 this gcd is g up to a few digits.
+//! Few long products remain, and the lowest power of g in all N is divided out at no cost. The gcd
+//! of g with all N₀ divides the result, too. For E7 this gcd is g up to a few digits.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -30,7 +30,7 @@ pub(crate) struct Splits {
 struct Split {
     /// For each coordinate, W last: whether it is the common factor g times a short number.
     is_short: Vec<bool>,
-    /// The plan of the nonzero terms Nⱼ of all forms N = Σ gʲ Nⱼ, form by form.
+    /// The plan of all nonzero Nⱼ of the map's polynomials N = Σ gʲ Nⱼ, one N after another.
     plan: Plan,
     /// For each nonzero Nⱼ in N = Σ gʲ Nⱼ: j minus the exponent of g that is divided out.
     degrees: Vec<Vec<usize>>,
@@ -41,8 +41,8 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Looks for a g with most of W's digits that divides W and some Xᵢ. Returns the image of a
-    /// point without the common factor that g implies; `None` if there is no such g.
+    /// Looks for a g with most of W's digits that divides W and some Xᵢ. Returns the image of the
+    /// point without factors of g that all its coordinates have; `None` if there is no such g.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LEAST_SPLIT_BITS)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();

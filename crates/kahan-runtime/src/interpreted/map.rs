@@ -1,7 +1,7 @@
 //! Implements [`KahanMap`] for an interpreted system.
 //!
-//! In: a state, and ε. Out: x̃, its Jacobian, integrals and so on, each by a straight-line program,
-//! or, if that would be too long, by linear algebra with A(x,ε).
+//! In: a state, and ε. Out: x̃, its Jacobian, integrals and so on. Each is computed by a program,
+//! or, if this would be too long, by linear algebra with A(x,ε) = I − εf′(x).
 
 use std::marker::PhantomData;
 use std::sync::Arc;

@@ -1,8 +1,8 @@
 //! A run-time system as a map over any scalar, with the traits that generated code implements.
 //!
 //! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) whose results equal those
-//! of generated code bit for bit. Code that is generic over maps thus accepts run-time fields,
-//! several times slower than compiled fields.
+//! of generated code bit for bit. Code that is generic over maps thus accepts run-time fields;
+//! their steps take several times as long as those of compiled fields.
 
 mod dimension;
 mod map;
@@ -153,7 +153,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 
 type Registers<T> = SmallVec<[T; 64]>;
 
-/// Returns the resized registers as a slice, so that the vector's pointer is read only once.
+/// Resizes the registers and returns them as a slice, whose pointer is not read again at each use.
 #[inline]
 fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
     registers.resize(size, T::zero());

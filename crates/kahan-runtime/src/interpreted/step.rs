@@ -11,7 +11,8 @@ use super::{Interpreted, Registers, sized};
 
 /// The step of an [`Interpreted`] system at one ε, with the constants of the step.
 ///
-/// `COST` is always the cost of elimination. [`Interpreted::cost`] returns the actual cost.
+/// `COST` is always that of elimination, because it is a constant. The actual cost is
+/// [`Interpreted::cost`].
 #[derive(Clone, Debug)]
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,

@@ -76,7 +76,7 @@ impl ChainAt {
     }
 
     /// Returns the chain with steps in another SIMD instruction set; `None` if the processor lacks
-    /// it. In long chains, the last bits depend on the instruction set.
+    /// it. Long chains use SIMD lanes, so their last bits depend on the instruction set.
     #[must_use]
     pub fn at_level(self, level: Level) -> Option<Self> {
         Some(ChainAt { at: self.at.at_level(level)?, ..self })
@@ -132,7 +132,7 @@ impl ChainAt {
     }
 }
 
-/// Panics if the length of a state is not that of the chain.
+/// Steps panic if the length of a state is not that of the chain.
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

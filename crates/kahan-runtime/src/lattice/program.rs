@@ -38,7 +38,7 @@ struct Instruction {
     places: [OperandOffset; 3],
 }
 
-/// The offset of an operand in memory: `numbers` plus `registers` times the number of lanes.
+/// The offset of an operand: `numbers` + `registers`·(number of lanes, known at run time).
 #[derive(Clone, Copy, Debug, Default)]
 struct OperandOffset {
     numbers: usize,
@@ -155,7 +155,8 @@ impl Program {
     }
 
     /// Returns the position of an operand in memory: first registers, then arrays and site
-    /// parameters, then constants. A register or constant takes [`SITES_PER_INSTRUCTION`] numbers.
+    /// parameters, then constants. A register or constant takes a number for each of
+    /// [`SITES_PER_INSTRUCTION`] sites; an array also has neighbouring sites.
     fn place(&self, operand: Operand) -> OperandOffset {
         let (numbers, registers) = match operand {
             Operand::Register(k) => (k * SITES_PER_INSTRUCTION, 0),
@@ -166,12 +167,12 @@ impl Program {
         OperandOffset { numbers, registers }
     }
 
-    /// Returns the offset of array `index`, or, from `block` on, of site parameter `index − block`.
+    /// Returns the offset of array `index`; site parameters are the arrays from `block` on.
     fn array(&self, index: usize) -> usize {
         self.registers * SITES_PER_INSTRUCTION + index * (SITES_PER_INSTRUCTION + 2 * self.reach * f64::MOST)
     }
 
-    /// Returns the size of the memory for [`SITES_PER_INSTRUCTION`] sites, in the widest registers.
+    /// Returns the size of the memory, counted in registers of the widest SIMD instruction set.
     pub(super) fn registers_abreast(&self, constants: usize) -> usize {
         self.place(Operand::Constant(constants)).numbers.div_ceil(f64::MOST)
     }
@@ -238,7 +239,7 @@ impl Program {
             for (k, constant) in constants.iter().enumerate() {
                 numbers[self.place(Operand::Constant(k)).numbers..][..SITES_PER_INSTRUCTION].fill(*constant);
             }
-            // Results that no instruction writes are zero for every state.
+            // Set all results to 0, because no instruction writes those that are 0 in every state.
             numbers[..self.results * SITES_PER_INSTRUCTION].fill(0.0);
         }
         let sites = SITES_PER_INSTRUCTION / width;
@@ -299,7 +300,7 @@ impl OverLanes<f64> for RunOverLanes<'_> {
         for &Instruction { kind, to, places, .. } in &program.instructions {
             let (before, rest) = self.numbers.split_at_mut(to * SITES_PER_INSTRUCTION);
             let (result, after) = rest.split_at_mut(SITES_PER_INSTRUCTION);
-            // A macro is used, because closures may lack this function's SIMD instructions.
+            // A macro, because closures may be compiled without this function's SIMD instructions.
             macro_rules! each {
                 (|$($operand:ident: $k:literal),*| $value:expr) => {{
                     $(

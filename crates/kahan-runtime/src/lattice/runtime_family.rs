@@ -1,4 +1,4 @@
-//! Implements [`LatticeMap`] for a family with parameter values, for `kahan-core`'s solver.
+//! Implements `kahan-core`'s trait [`LatticeMap`] for a family whose parameters have values.
 
 use std::sync::Arc;
 

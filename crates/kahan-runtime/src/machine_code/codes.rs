@@ -16,10 +16,10 @@ use super::{GroupKind, StepKind, programs};
 /// Whether machine code can run; without the feature `jit`, the binary contains no compiler.
 const CAN_RUN: bool = cfg!(feature = "jit");
 
-/// The number of steps that a field makes before the code of an elimination is compiled. Compiling
-/// pays after some 300 steps for 9 dense variables, and after 7000 for 50 sparse ones.
+/// The number of steps after which the code of an elimination is compiled. Compiling saves time
+/// after some 300 steps for 9 dense variables, and after 7000 for 50 sparse ones.
 const STEPS_BEFORE_CODE: u64 = 256;
-/// Compilation of an elimination waits one step longer per this many operations.
+/// The number of operations in an elimination that delay its compilation by one more step.
 const OPERATIONS_A_STEP: u64 = 8;
 
 /// A table of compiled code; keys are kinds of steps, a value is `None` if compilation failed.
@@ -203,7 +203,7 @@ impl<T: MachineFloat> OrbitCode<T> {
     }
 
     /// Advances the numbers of a state by `steps` steps. Each entry of `stages` holds the constants
-    /// of one distinct stage; the middle stage is last.
+    /// of a stage of a palindromic composition, up to the middle stage.
     pub(crate) fn advance(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
         match &self.step {
             StepCode::Single(orbit) => orbit.run(numbers, &stages[0], steps),

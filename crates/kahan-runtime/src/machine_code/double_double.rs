@@ -1,5 +1,5 @@
 //! Double-double arithmetic as a program of doubles. Without overflow and underflow, the program
-//! has the operations of [`Dd`](kahan_core::Dd) in their order.
+//! performs the operations of [`Dd`](kahan_core::Dd) in the same order.
 //!
 //! The program does not branch. Some operations are correct only far from overflow and underflow. A
 //! guard, a number that begins at 0, becomes NaN after the first operation on numbers that are too
@@ -28,7 +28,7 @@ struct GuardNotes {
     /// Whether the rounding errors of products are computed by fused multiply-adds.
     fuses: bool,
     of_sizes: Vec<Double>,
-    /// The high parts of pairs whose sizes are known to be far from overflow and underflow.
+    /// High parts of double-double numbers that are known to be far from overflow and underflow.
     moderate: Vec<Double>,
 }
 
@@ -48,7 +48,7 @@ pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) 
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::input(Input::State(results.len()));
-        // The checks are summed first, so that only the last sum waits for the previous step.
+        // Sum the checks first, so that only one addition waits for the previous step's guard.
         let noted = GUARD_NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
         Some(results)
@@ -148,7 +148,7 @@ impl Pair {
         let reciprocal = Double::number(1.0) / divisor.high;
         note_moderate(divisor.high, reciprocal);
         let is_ordinary = self.high.literal().is_some_and(|value| {
-            // The quotient of a constant in this range is far from overflow, and a safe dividend.
+            // A constant in this range, divided by a checked divisor, cannot overflow or underflow.
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {

@@ -20,7 +20,7 @@ pub(crate) struct StepKind {
 pub(crate) enum GroupKind {
     Steps(StepKind),
     Carrying(TangentKind),
-    /// Integrals, which the code writes after the points; the constants are the parameters and ε.
+    /// Integrals, which are written after the points; the constants are the parameters and ε.
     Integrals,
 }
 

@@ -20,10 +20,10 @@ const MOST_OPERATIONS: u32 = 50_000;
 
 impl StepKind {
     /// Returns the program that computes the next state from a state, with the prepared constants
-    /// of the step. `None` for a step that branches, and for compensated double-double.
+    /// of the step. `None` for branching steps, and for double-double with compensation.
     ///
     /// A state is x₁, …, xₙ; a compensated state has n rounding errors after it. In double-double
-    /// each xᵢ is two numbers, the high one first, and a last number shows whether the result is
+    /// each xᵢ is two numbers, the high one first, and a guard is last, which is 0 if the result is
     /// valid.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);

@@ -12,7 +12,7 @@ use kahan_core::observe::{GROUP, Group, Observer, PAUSE, are_moderate};
 use crate::at::group::{AlignedGroups, MOST, RuntimeGroup};
 use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 
-/// The largest number of columns of a group: those of the points, and of three tangent vectors.
+/// The largest number of columns of a group: `MOST` for points and for each of three vectors.
 const MOST_COLUMNS: usize = 4 * MOST;
 
 /// Follows a group of orbits by machine code, or does nothing and returns `false`.

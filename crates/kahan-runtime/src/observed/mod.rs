@@ -33,7 +33,7 @@ pub struct ObservationRequest<'a> {
     /// The bound on |xᵢ| beyond which an orbit has escaped and ends; `None` for no bound.
     pub escape: Option<f64>,
     /// The relations that define the added variables of a lifted field. If given, tangent vectors
-    /// are in the original variables.
+    /// have entries for the original variables only.
     pub relations: Option<&'a dyn Relations>,
 }
 

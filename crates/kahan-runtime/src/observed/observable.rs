@@ -18,13 +18,13 @@ pub(super) struct ObservableInfo {
     is_logarithmic: bool,
 }
 
-/// An observable has columns for the orbit as a whole, or for each object of one kind.
+/// The objects for which an observable has columns: the whole orbit, or all objects of one kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ColumnScope {
     Orbit,
     Variables,
     Integrals,
-    /// Each number from 1 to the number of variables, as for Lyapunov exponents.
+    /// The indices from 1 to the number of variables, for example those of Lyapunov exponents.
     Numbers,
 }
 
@@ -86,7 +86,7 @@ pub enum ObservedValue {
     Turns(Vec<RotationNumber>),
     /// The number of steps before the escape; `None` if the orbit did not escape.
     Step(Option<u64>),
-    /// The number of steps over poles of the map.
+    /// The number of steps in which the orbit passed a pole of the map.
     Passed(PassedPoleCount),
 }
 

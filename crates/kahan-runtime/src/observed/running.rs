@@ -25,7 +25,7 @@ use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
 
-/// The extremes of each variable and of its rate. Their midpoints give the center of rotation.
+/// The extremes of each variable xᵢ and of ẋᵢ. Rotation is measured about their midpoints.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
@@ -166,7 +166,7 @@ observables! {
     Rotation, "The rotation number of each variable, in turns per step.",
         M = at.extremes(), one => {
             *middles = Some(one.report());
-            // After the second pass, the rotation numbers replace this empty list.
+            // A second pass over the orbit computes the rotation numbers, and fills this list.
             ObservedValue::Turns(Vec::new())
         },
         ObservableInfo::new("rotation", ColumnScope::Variables, &[

@@ -1,4 +1,4 @@
-//! Propagates tangent vectors along an orbit. Those of lifted fields are in original variables.
+//! Propagates tangent vectors along an orbit, for lifted fields in the original variables.
 //!
 //! Lifting adds variables w = g(x). A tangent vector e of x then corresponds to (e, Dg·e), where Dg
 //! is the Jacobian of g. The space of these vectors, called the plane, is propagated from point to
@@ -6,9 +6,9 @@
 //!
 //! # Resets
 //!
-//! If the map preserves the relations, the propagated plane stays near the vectors (e, Dg·e).
-//! Resets at every step would change exponents by a multiple of ε. Therefore the plane is reset
-//! only if its distance from (e, Dg·e) exceeds [`LARGEST_DERIVATIVE_ERROR`].
+//! If the map preserves w = g(x), the propagated plane stays near the vectors (e, Dg·e). Resets to
+//! these at every step would change Lyapunov exponents by a term of order ε. Therefore the plane is
+//! reset only if its error exceeds [`LARGEST_DERIVATIVE_ERROR`].
 
 use core::fmt;
 use std::cell::RefCell;
@@ -29,9 +29,8 @@ pub trait Relations: fmt::Debug + Sync {
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
 }
 
-/// The tangent plane is reset if a propagated derivative of an added variable has an error above
-/// this multiple of the variable's largest derivative. If the map preserves the relations, errors
-/// are of order ε².
+/// The bound on relative errors of the propagated derivatives of a variable that lifting added.
+/// Beyond it, the derivatives are computed anew.
 const LARGEST_DERIVATIVE_ERROR: f64 = 1.0 / 64.0;
 
 #[derive(Clone, Debug)]
@@ -122,7 +121,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
             *largest = largest.max(row.iter().copied().fold(0.0, squares));
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
-            // An added variable that no equation contains has `largest` = 0, and causes no reset.
+            // If an added variable has only zero derivatives, `largest` is 0, and nothing is reset.
             let is_near = error <= LARGEST_DERIVATIVE_ERROR * LARGEST_DERIVATIVE_ERROR * *largest;
             is_far |= *largest > 0.0 && !is_near;
         }

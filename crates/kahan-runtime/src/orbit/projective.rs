@@ -16,7 +16,7 @@ pub trait ProjectiveOrbit<T> {
     /// Makes one step. If no next point exists, returns an error, with the reason if known.
     fn advance(&mut self) -> Result<(), Option<SingularStep>>;
 
-    /// Returns the coordinates. At a point at infinity, finite coordinates are returned as 0.
+    /// Returns the point's coordinates, or the direction if the point is at infinity.
     fn coordinates(&self) -> &[T];
 
     /// Returns whether the point is at infinity.
@@ -34,7 +34,7 @@ pub trait ProjectiveScalar: ThroughPoles {
     fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>>;
 }
 
-/// Implements the trait in this crate, so that callers do not compile it again.
+/// Implements [`ProjectiveScalar`] in this crate, so that callers do not compile its code again.
 macro_rules! compile_for {
     ($($scalar:ty),*) => {$(
         impl ProjectiveScalar for $scalar {
@@ -48,8 +48,8 @@ macro_rules! compile_for {
 compile_for!(f32, f64, Dd, BigRational);
 
 impl Map {
-    /// Begins the orbit from `start`, which passes through poles, at ε, half the time step. Each
-    /// number is rounded once; coordinates that `start` lacks are 0.
+    /// Begins an orbit that passes through poles, from `start` and at ε, half the time step. Each
+    /// number is rounded once; missing coordinates of `start` are 0.
     ///
     /// # Errors
     /// [`UnsupportedDimension`] if the field has more than [`LARGEST_DIMENSION`] variables.

@@ -37,7 +37,8 @@ pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
 
 pub(super) fn stability(polynomial: &Polynomial) -> Stability {
     let reversed = reversed(polynomial);
-    // A root 0 lies inside the circle; the reversed polynomial then has a lower degree.
+    // A root 0 lies inside the circle and lowers the degree of the reversed polynomial. Other roots
+    // inside are reciprocals of that polynomial's roots outside.
     let is_smaller = reversed.degree() < polynomial.degree() || has_root_outside(&reversed);
     match (has_root_outside(polynomial), is_smaller) {
         (true, true) => Stability::Saddle,
@@ -58,8 +59,7 @@ fn reversed(polynomial: &Polynomial) -> Polynomial {
 }
 
 fn has_root_outside(polynomial: &Polynomial) -> bool {
-    // The conjugate of a root on the circle is its reciprocal. Therefore roots on the circle, and
-    // pairs m, 1/m, are also roots of the reversed polynomial.
+    // For real coefficients, the roots on the circle, and all pairs m, 1/m, are roots of this gcd.
     let shared = gcd(polynomial, &reversed(polynomial));
     // By Cohn's theorem, all roots of a self-reciprocal polynomial lie on the circle if and only if
     // no root of its derivative lies outside.
@@ -67,10 +67,9 @@ fn has_root_outside(polynomial: &Polynomial) -> bool {
         return true;
     }
     let Some(mut rest) = polynomial.checked_div(&shared) else { return false };
-    // This is the test of Schur and Cohn for a polynomial without roots on the circle. The product
-    // of all roots has the absolute value |last/leading|. If this is at least 1, a root lies
-    // outside. Otherwise, by Rouché's theorem, the polynomial that replaces `rest` has as many
-    // roots outside.
+    // Test of Schur and Cohn for a polynomial without roots on the circle. The product of its roots
+    // has the absolute value |constant/leading coefficient|; if this is at least 1, a root lies
+    // outside. Otherwise, by Rouché's theorem, the next `rest` has as many roots outside.
     while rest.degree() > 0 {
         let leading = rest.coefficient(&Monomial::power(Z, rest.degree()));
         let last = rest.coefficient(&Monomial::one());

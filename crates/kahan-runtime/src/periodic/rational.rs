@@ -119,7 +119,7 @@ fn simplest_between(low: &Rational, high: &Rational) -> Option<Rational> {
         let one = Rational::one();
         (low, high) = (one.checked_div(&(&high - &floor))?, one.checked_div(&(&low - &floor))?);
         taken.push(floor);
-        // The continued fraction of a double has fewer terms than this.
+        // A limit on the loop; fewer terms distinguish all doubles.
         if taken.len() > 100 {
             return None;
         }

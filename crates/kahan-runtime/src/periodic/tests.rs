@@ -49,8 +49,8 @@ fn a_rational_cycle_of_three_is_proved() {
 
 #[test]
 fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
-    // With the polarised field F, (x̃ − x)/2ε = F(x,x̃) gives A(x,ε) ∂x̃/∂ε = (x̃ − x)/ε, and for a
-    // parameter p, A(x,ε) ∂x̃/∂p = 2ε ∂F/∂p.
+    // With the polarised field F, the map satisfies (x̃ − x)/2ε = F(x,x̃). Its derivatives satisfy
+    // A(x,ε) ∂x̃/∂ε = (x̃ − x)/ε and, for a parameter p, A(x,ε) ∂x̃/∂p = 2ε ∂F/∂p.
     let text = "xdot = r*x*y + s; ydot = y - x^2/r;";
     let map = Field::parse(text).unwrap().with([("r", 0.75), ("s", 1.5)]).unwrap();
     let (eps, x) = (0.125, [0.5, -0.25]);
@@ -146,8 +146,8 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
         let cycle = periodic_point(&map.at(eps.to_f64()), &start, 3).unwrap();
         let proved = map.rational_cycle(&eps, &cycle).unwrap();
         assert_eq!(proved.points, expected);
-        // The map preserves a volume, and an area in the plane x = p = 0, so multipliers are pairs
-        // m, 1/m.
+        // The map preserves a volume, and an area in the plane x = p = 0. Therefore the two
+        // multipliers in this plane are a pair m, 1/m, and so are the other two.
         let coefficient = |k| proved.polynomial.coefficient(&Monomial::power(Variable(0), k));
         assert_eq!([coefficient(0), coefficient(1)], [coefficient(4), coefficient(3)]);
         assert_eq!(proved.stability, Stability::Saddle);
@@ -202,7 +202,7 @@ fn the_lorenz_system_changes_where_the_flow_does() {
         let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
         assert!(has_turns(&branch, &[(BranchChange::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
-    // At r = 1 the branch of the other two equilibria has a fold, as they meet at the origin.
+    // At r = 1 the two equilibria other than the origin merge there, so their branch has a fold.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (BranchChange::ThroughCircle, 470.0 / 19.0, 1e-9);
@@ -239,7 +239,7 @@ fn cycles_of_maps_that_keep_a_volume_keep_it() {
 
 #[test]
 fn rounding_of_multipliers_of_1_is_no_change() {
-    // All multipliers are 1. The derivative is not diagonalisable, and has entries up to 100.
+    // All multipliers of the cycle are 1, and its derivative is not diagonalisable.
     let top = Field::parse("xdot = y*z; ydot = -2*x*z; zdot = x*y;").unwrap().map().unwrap();
     let map = |eps: f64| top.at(eps).by(None);
     let cycle = periodic_point(&map(0.5), &[0.2, 1.6, 0.4], 7).unwrap();

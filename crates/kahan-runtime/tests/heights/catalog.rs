@@ -12,7 +12,6 @@ fn the_other_systems_grow_as_the_paper_says() {
         ("e2", "", Growth::Logarithmic),
         ("e5", "", Growth::Linear),
         ("euler", "1,2,-3", Growth::Quadratic),
-        // With parameter 1, E9 is the catalog's system E3; with parameter −1, it is E4.
         ("e9", "1", Growth::Linear),
         ("e9", "-1", Growth::Quadratic),
         ("e7", "1", Growth::Logarithmic),

@@ -103,7 +103,7 @@ fn every_level_has_its_own_bits_side_by_side() {
     }
 }
 
-/// If ε is 0, or too small to divide by, the step has a formula without this division.
+/// If ε is 0, or 1/ε is not finite, the step does not divide by ε.
 #[test]
 fn orbits_of_their_own_maps_are_those_that_each_is_alone() {
     for (text, parameters) in FIELDS {

@@ -115,8 +115,7 @@ fn a_trajectory_has_the_bits_of_its_own_eps_and_parameters() {
     }
 }
 
-/// Some entries are 0, subnormal, huge, or NaN. This command runs the test: `cargo test --release
-/// -p kahan-runtime --test slices -- --ignored --nocapture`
+/// Compares steps of a million points, some with coordinates that are 0, subnormal, huge or NaN.
 #[test]
 #[ignore = "a million points at every level"]
 fn a_million_points_agree_at_every_level() {

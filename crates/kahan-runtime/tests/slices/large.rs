@@ -93,8 +93,8 @@ fn slices_have_the_step_with_a_promise() {
     assert!(self::map(&chain(3)).try_step(&[1.0; 4], 0.1, &mut [0.0; 3]).is_err());
 }
 
-/// A step satisfies (x̃ − x)/2ε = Q(x,x̃) + ½B(x + x̃) + c. In a chain, B and c are 0, so the right
-/// side is ¼[f(x + x̃) − f(x − x̃)].
+/// The field of a chain is f(x) = Q(x,x), so a step satisfies (x̃ − x)/2ε = Q(x,x̃) = ¼[f(x + x̃) −
+/// f(x − x̃)].
 #[test]
 fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     let (map, eps, n) = (map(&chain(60)), 0.01, 60);

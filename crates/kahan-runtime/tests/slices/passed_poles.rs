@@ -1,4 +1,4 @@
-//! The counts of steps over poles agree with exact arithmetic on the floats of the orbit.
+//! The counts of steps that pass a pole agree with exact arithmetic on the floats of the orbit.
 
 use std::ops::ControlFlow;
 
@@ -60,7 +60,7 @@ fn of_floats(x: &[f64]) -> Vec<Rational> {
     x.iter().map(|x| Rational::from_f64(*x).expect("finite")).collect()
 }
 
-/// Counts the steps of an orbit in which a stage passes over a root, up to the last finite point.
+/// Counts an orbit's steps, up to the last finite point, in which a stage passes a root of `d`.
 fn counted(kahan: &MapAt<f64>, composition: Composition, d: Denominator, start: &[f64], steps: u64) -> u64 {
     let (mut x, mut count) = (start.to_vec(), 0);
     for _ in 0..steps {
@@ -83,7 +83,6 @@ fn of_riccati(x: &[Rational]) -> Vec<Rational> {
     vec![Rational::ONE, &x[0] * &Rational::from(-2)]
 }
 
-/// The denominator is det(I − εf′) with f′ = (1 − y, −x; y, x − 1).
 fn of_lotka_volterra(x: &[Rational]) -> Vec<Rational> {
     vec![Rational::ONE, &x[1] - &x[0], &(&x[0] + &x[1]) - &Rational::ONE]
 }
@@ -171,7 +170,7 @@ fn a_pole_that_is_touched_is_passed_and_one_that_is_missed_is_not() {
     for y in [1e-3, 1e-9, 1e-100, 5e-324] {
         assert_eq!(passed(&complex, &[8.0, y], 1), exactly(0), "{y}");
     }
-    // The denominator is a square, so all its roots are double roots.
+    // The denominator (1 − 2εx)² does not change its sign at its root.
     let square = map("xdot = x^2; ydot = 2*x*y;", 0.07);
     assert_eq!(passed(&square, &[1.0, 3.0], 12), exactly(1));
 }

@@ -1,7 +1,6 @@
 //! Twenty fields in any units of length and time.
 //!
-//! For all numbers q and ν, ẋ = ν·(q·Q(x) + Bx + c/q) is the same field in other units: 1/q of
-//! length and 1/ν of time.
+//! If y solves ẏ = Q(y) + By + c, then x(t) = y(νt)/q solves ẋ = ν·(q·Q(x) + Bx + c/q).
 
 use kahan_runtime::{Field, Map};
 

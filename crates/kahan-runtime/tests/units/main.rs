@@ -1,4 +1,4 @@
-//! Answers do not depend on the units of length and time: they scale by exact powers of two.
+//! If the units of length and time change by powers of two, results change by exact powers of two.
 //!
 //! Twenty fields run in units of length from 2⁻³⁰⁰ to 2³⁰⁰ (for `f32` from 2⁻⁴⁰ to 2⁴⁰). Units of
 //! time are such that ε stays between 2⁻⁶³ and 2⁶³.

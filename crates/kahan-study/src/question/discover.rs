@@ -31,8 +31,8 @@ pub struct Discover {
     /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact")]
     pub eps: Option<Rational>,
-    /// The largest degree of the sought polynomials that vanish on orbits; with `None`, the search
-    /// chooses degrees.
+    /// The largest degree of the polynomials among which the search seeks those that are 0 along
+    /// orbits; if `None`, the search chooses it.
     pub degree: Option<u32>,
     /// The time limit in seconds.
     pub seconds: f64,
@@ -164,7 +164,7 @@ impl Discovered {
     /// Iterates over the claims of the [readable field](Self::readable).
     fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let replaced = self.report.replaced();
-        // Integrals are the first claims, so indices of integrals in `replaced` index claims, too.
+        // The first claims are the integrals, so an integral has the same index among the claims.
         let kept = self.claims().enumerate().filter(move |(index, _)| !replaced.contains(index));
         kept.map(|(_, claim)| claim).filter(|(text, _)| text.len() <= MOST_READABLE)
     }
@@ -175,8 +175,8 @@ impl Discovered {
         self.readable_parts().map(|(text, _)| text).collect()
     }
 
-    /// Returns the field with the claims that are short enough to display, but without integrals
-    /// for which the report has a compact modified Hamiltonian.
+    /// Returns the field with the claims that are short enough to display, without the integrals
+    /// for which the report gives a shorter modified Hamiltonian.
     #[must_use]
     pub fn readable(&self) -> System {
         let claims = self.readable_parts().map(|(_, claim)| claim.clone()).collect();
@@ -218,8 +218,8 @@ impl Discovered {
     }
 }
 
-/// Writes a linear relation Σ c(m)·m = 0 between monomials m at all points of an orbit as a JSON
-/// object. Quotients of the coefficients c(m) are integrals.
+/// Writes, as a JSON object, a relation Σ c(m)·m = 0 of monomials m that holds at all points of an
+/// orbit. Quotients of the coefficients c(m) are integrals.
 fn relation(basis: &Basis, variables: &[String]) -> Value {
     let monomials = basis.monomial_texts(variables);
     let unit = &monomials[basis.unit];
@@ -233,8 +233,8 @@ fn relation(basis: &Basis, variables: &[String]) -> Value {
     })
 }
 
-/// Writes a matrix K, the Hamiltonian H with the field K grad H, and the modified Hamiltonian as
-/// a JSON object.
+/// Writes, as a JSON object, the Hamiltonian H and the matrix K for which the field is K grad H,
+/// and the modified Hamiltonian.
 fn hamiltonian(found: &HamiltonianReport) -> Value {
     json!({
         "K": found.tensor,
@@ -246,7 +246,7 @@ fn hamiltonian(found: &HamiltonianReport) -> Value {
     })
 }
 
-/// Writes integrals and quotients of integrals that compositions of maps at different ε preserve.
+/// Writes the integrals, and quotients of integrals, that stay constant if ε varies between steps.
 fn survivors(found: &CompositionIntegrals, integrals: &[Formula]) -> Value {
     let name = |index: usize| integrals[index].name();
     let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);

@@ -66,7 +66,7 @@ pub struct Evaluated {
     pub jacobian: Option<Vec<Vec<Number>>>,
     /// The determinant of the Jacobian of the map.
     pub det_jacobian: Option<Number>,
-    /// The integrals that are claimed without a condition, or whose condition holds.
+    /// The integrals claimed without a condition, or with one that holds at the parameters and ε.
     #[serde(serialize_with = "by_name")]
     pub integrals: Names<Option<Number>>,
     /// The density, if a claim of a density applies.
@@ -74,8 +74,8 @@ pub struct Evaluated {
     /// The brackets of the claims that apply; the matrix of each bracket is given row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
-    /// The claimed drifts that apply. A drift claims how the map changes a function F; its two
-    /// values are F(x) and the claimed F(x̃), computed from x.
+    /// The claimed drifts that apply. Each claims a formula for F(x̃), where F is a function of x.
+    /// The two values are F(x), and F(x̃) by the formula.
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
     /// The reason why the point has no image.

@@ -204,7 +204,7 @@ impl Question {
             return Err(Misread { path: Vec::new(), why: "missing field `ask`".to_owned() });
         };
         let name = name.as_str().unwrap_or_default();
-        // Some other questions, such as `Diagram`, have a field `over` of their own.
+        // Other questions, such as `Diagram`, may have a field `over` of their own.
         if Self::OVER_AXES.contains(&name) && object.contains_key("over") {
             Over::read(name, object).map(Self::Over)
         } else {
@@ -232,7 +232,7 @@ impl<'de> Deserialize<'de> for Question {
     }
 }
 
-/// The default of the period, of the number of draws, and of the number of steps between rows.
+/// The default value of several fields, such as `period` and `every`.
 fn one<T: From<u8>>() -> T {
     T::from(1)
 }

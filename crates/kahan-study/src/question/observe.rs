@@ -24,7 +24,7 @@ use super::{NoOrbit, usual_order};
 
 pub use kahan_runtime::{Observable, ObservedValue};
 
-/// The message of `expect` for calls that succeed because their arguments have matching lengths.
+/// The message of `expect` for calls that cannot fail, because lengths of arguments match.
 pub(super) const ARGUMENTS_FIT: &str = "a column a variable, all of one length, and a map an orbit";
 const LAST_POINT_REQUESTED: &str = "the last point was asked for";
 
@@ -52,8 +52,8 @@ pub struct Observe {
     /// The number of exponents in the spectrum, largest first; `None` for all.
     #[serde(default)]
     pub spectrum: Option<usize>,
-    /// If a variable exceeds this size, the orbit has escaped and ends. With `None`, the orbit goes
-    /// on, and [`Observable::Escape`] reports the first step beyond a million.
+    /// If a variable exceeds this bound, the orbit has escaped and ends. With `None`, it goes on,
+    /// and [`Observable::Escape`] reports the first step at which a variable exceeds a million.
     #[serde(default)]
     pub escape: Option<f64>,
     /// Whether steps are projected symmetrically onto the definitions of a lift's new variables.
@@ -159,7 +159,7 @@ impl Observe {
         self.steps.saturating_mul(runs.unwrap_or(1)).saturating_add(self.transient)
     }
 
-    /// Refuses an explicit request for drifts of integrals if the field claims no integral.
+    /// Returns an error if drifts of integrals are requested by name, but the field claims none.
     pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
         let is_named = self.observe.contains(&Observable::Drift) && self.observe != Observable::usual();
         if is_named && study.field().integrals().is_empty() {
@@ -304,8 +304,8 @@ impl Observe {
         (found, ends)
     }
 
-    /// Observes many orbits from their starts. An orbit that leaves the domain of a lift is
-    /// followed again, up to the border of the domain.
+    /// Observes many orbits from their starts. If an orbit leaves the domain of a lift, it is run
+    /// again alone, to end at its last point in the domain.
     fn side_by_side<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -345,8 +345,8 @@ impl Observe {
     /// Returns the composition of the requested order, after checking the other options.
     ///
     /// # Errors
-    /// [`StudyError`]: an unknown order, a count of 0, projection of a field without a lift, or
-    /// projection with an observable that does not depend on points alone.
+    /// [`StudyError`]: an unknown order, `renormalize` or `spectrum` = 0, projection for a field
+    /// without a lift, or projection with an observable that requires unprojected steps.
     pub fn composition(&self, study: &Study) -> Result<Composition, StudyError> {
         if self.reembed {
             study.can_reembed(true)?;

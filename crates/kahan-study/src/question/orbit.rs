@@ -45,7 +45,7 @@ pub struct Orbit {
     /// The first point, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
-    /// The number of steps before the first row, in addition to [`steps`](Self::steps).
+    /// The number of steps before the first row, which [`steps`](Self::steps) does not include.
     #[serde(default)]
     pub transient: u64,
     /// The number of steps.
@@ -128,7 +128,7 @@ pub enum NoOrbit {
     /// Symmetric projection is requested without a lift, in a scalar other than doubles, for a
     /// method other than Kahan's map, or for a projective orbit.
     Reembed,
-    /// Projected steps are requested with this observable, which requires unprojected steps.
+    /// Projected steps are requested, but the observable of this name requires unprojected steps.
     OfTheMap(&'static str),
     /// A projective orbit is requested in too many variables.
     Projective(UnsupportedDimension),
@@ -311,13 +311,13 @@ impl Orbit {
         self.transient.saturating_add(self.steps)
     }
 
-    /// Returns whether the steps are steps of Kahan's map itself, which the claims concern.
+    /// Returns whether the steps are those of Kahan's map, to which the claims apply.
     #[must_use]
     pub fn is_of_the_map(&self) -> bool {
         self.method == Method::Kahan && self.order == usual_order() && !self.reembed
     }
 
-    /// Returns `study`; for Kahan's map, claims whose conditions hold at ε become unconditional.
+    /// Returns a copy of `study`. For Kahan's map, a claim whose condition holds at ε loses it.
     ///
     /// # Errors
     /// The errors of [`Study::at_step`].
@@ -417,8 +417,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = OrbitRows { arithmetic, columns: &all, eps, paces };
-            // ‖f′‖ is compared with 1/ε for Kahan's map only, not near infinity, and not for exact
-            // orbits, whose long steps are deliberate.
+            // At rows of Kahan's map with finite points, ‖f′‖ is compared with 1/ε. Exact orbits
+            // are excluded, because their long steps are deliberate.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective
@@ -457,7 +457,7 @@ impl Orbit {
     }
 }
 
-/// A consumer that passes on some columns, and compares f′(x) with 1/ε at some rows.
+/// A consumer that passes on some columns, and at some rows compares the norm ‖f′(x)‖ with 1/ε.
 struct ColumnSelection<'a> {
     columns: &'a [Column],
     places: Vec<usize>,

@@ -37,22 +37,22 @@ const MOST_UNKNOWNS: usize = 250;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
-    /// ε, half the time step. The default is the first value of `over`, or for steady states a
-    /// power of two at which no entry of ∂x̃/∂x − I is much larger than 1.
+    /// ε, half the time step. The default is the first value of `over`. For steady states without
+    /// `over`, it is a power of two at which the entries of ∂x̃/∂x − I are at most about 1.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// A point near the cycle; if empty, the initial point in the field's text.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// A multiple of the cycle's period. If ε is unknown: about the number of steps in the limit
-    /// cycle at `eps`; 1 lets the search choose this number.
+    /// The period, or a multiple of it. If ε is unknown, the approximate number of steps of the
+    /// limit cycle at `eps`; if this is 1, the search chooses it.
     #[serde(default = "one")]
     pub period: usize,
     /// A further unknown besides the points of the cycle. If this is ε, the search finds limit
     /// cycles of the flow.
     #[serde(default)]
     pub free: Option<FreeUnknown>,
-    /// If ε is unknown, the number of steps before the search for close returns of the orbit.
+    /// If ε is unknown, the number of steps before the search for near returns to earlier points.
     #[serde(default)]
     pub transient: u64,
     /// The axis of the branch: a parameter, or `eps`.
@@ -103,9 +103,9 @@ pub struct CycleFound {
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The cycle in doubles. Its multipliers describe perturbations that keep the held integrals.
+    /// The cycle in doubles. Its multipliers are for perturbations that keep the integrals `held`.
     pub cycle: PeriodicPoint,
-    /// The linear integrals whose values are held, as equations.
+    /// The linear integrals with fixed values, written as equations.
     pub held: Vec<String>,
     /// The value of ε.
     pub eps: f64,
@@ -364,7 +364,7 @@ impl Family {
 }
 
 /// Returns the linear integrals that the field has for almost all values of the varied parameter.
-/// Each integral can be solved for a variable that is small at `start`.
+/// Each contains a variable that is small at `start` and occurs in no other integral.
 fn integrals(
     study: &Study,
     changes: Option<usize>,
@@ -377,7 +377,7 @@ fn integrals(
     let mut order: Vec<usize> = (0..start.len()).collect();
     order.sort_by(|a, b| start[*b].abs().total_cmp(&start[*a].abs()));
     let found = linear_integrals(&study.at(values).specialised()?.field, &order);
-    // For a zero field every point is a fixed point, and no integral is needed.
+    // If there are as many integrals as variables, every point is fixed, and no integral is needed.
     Ok(if found.len() < start.len() { found } else { Vec::new() })
 }
 

@@ -18,8 +18,9 @@ use super::{minute, seconds_since};
 
 const MOST_POINTS: usize = 1_000_000;
 
-/// A request for grid points at which the degrees of the map's iterates, or the Hilbert function of
-/// its orbits, differ from the generic values, and for relations that such points satisfy.
+/// A request to search a grid of parameter values and ε for special maps, and for relations between
+/// their values. Iterates of special maps have other degrees, or their orbits have another Hilbert
+/// function, than at almost all values.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {
@@ -70,7 +71,7 @@ impl Scan {
     ///
     /// # Errors
     /// [`StudyError`]: a missing or unknown axis, too many points, a degree that is not feasible,
-    /// or no map.
+    /// or a field for which no search is possible.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<ScanFound, StudyError> {
         let begun = watch.now();
         let options = options(study, &self.eps, self.degree, self.seconds)?;

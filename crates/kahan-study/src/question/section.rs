@@ -54,7 +54,7 @@ pub struct Section {
     /// The number of steps that are made first, and whose crossings are not shown.
     #[serde(default)]
     pub transient: u64,
-    /// The order of the method, and of the crossing times.
+    /// The order of the method, and the order in ε of the errors of crossing times.
     #[serde(default = "usual_order")]
     pub order: u32,
     /// Whether steps are projected symmetrically onto the definitions of a lift's new variables.
@@ -93,8 +93,8 @@ pub struct SectionFound {
     pub variables: Vec<String>,
     /// The orbits, in the order of the rows.
     pub orbits: Vec<Crossed>,
-    /// A row for each crossing: the step before the crossing, the time of the crossing, and the
-    /// variables. For many orbits, the index of the first point and the varying values come first.
+    /// A row for each crossing: the number of the last step before it, its time, and the variables.
+    /// For many orbits, the index of the first point and the varying values come first.
     pub rows: Table,
 }
 
@@ -107,7 +107,7 @@ pub struct Crossed {
     pub values: Vec<f64>,
     /// The number of steps.
     pub steps: u64,
-    /// The reason why the orbit ended; `Stopped` if it has all requested crossings.
+    /// The reason why the orbit ended. After all requested crossings, this is `Stopped`.
     pub end: End,
     /// A sentence if a wrong sign or a failed projection of a lift's variables ended the orbit.
     pub why: Option<String>,
@@ -164,7 +164,7 @@ impl Section {
         Ok(self.columns_of(study, &Cells::with_starts(&self.as_over(), self.params.len(), study)?))
     }
 
-    /// Returns [`Over`] with a cell for each orbit; the axes of `params` come last.
+    /// Returns an [`Over`] with a cell for each orbit. The axes of `params` follow the other axes.
     fn as_over(&self) -> Over {
         let axes = self.over.iter().chain(&self.params).cloned().collect();
         Over { starts: self.starts.clone(), ..Over::new(Question::Section(self.clone()), axes) }
@@ -209,7 +209,7 @@ impl Section {
     }
 }
 
-/// A consumer that collects rows until an answer has its largest size.
+/// A consumer that collects rows until the table has `MOST_CELLS` cells.
 struct LimitedRows<'a> {
     rows: &'a mut Table,
     cells: u64,

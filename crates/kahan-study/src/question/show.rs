@@ -82,7 +82,7 @@ pub struct FormulaSheet {
     pub variables: Vec<String>,
     /// The parameters without values.
     pub parameters: Vec<String>,
-    /// The field as a function of x and ε, which gives the map; `None` if ε does not occur.
+    /// The field as a function of x and ε; `None` if ε does not occur in it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
     /// The field f(x), at ε = 0 if it depends on ε. f′ and Q are derived from this field.
@@ -112,8 +112,8 @@ pub struct FormulaSheet {
     /// The block of `kahan!`.
     #[serde(rename = "macro")]
     pub block: String,
-    /// A Python script that assigns symbols, matrices and claims to the names of this sheet; only
-    /// for [`ShowForm::Sympy`].
+    /// A Python script that defines the symbols, matrices and claims of this answer; only for
+    /// [`ShowForm::Sympy`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub script: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! Verifies the claims of a field, or of Hone and Petrera's paper, and that changed claims fail.
+//! Verifies claims of a field or of Hone and Petrera's paper, and checks that changed claims fail.
 
 use kahan_algebra::render::claim_text;
 use kahan_discover::Watch;
@@ -38,7 +38,7 @@ pub enum Verified {
 pub struct Mutations {
     /// The results for each claim.
     pub mutations: Vec<Mutated>,
-    /// The number of claims that hold after every tried change. Such claims say little.
+    /// The number of claims that hold even after every tried change of a coefficient or sign.
     pub survived: usize,
     /// The duration of the check in seconds; `None` without a clock.
     #[serde(skip)]
@@ -57,9 +57,9 @@ pub struct Mutated {
 }
 
 impl Verify {
-    /// Verifies the claims of a field, or the paper's claims for an unchanged system of the
-    /// catalog. Takes milliseconds for each claim. Claims about an orbit take some hundred times as
-    /// long.
+    /// Verifies the claims of a field. For an unchanged system of the catalog, these are the claims
+    /// of Hone and Petrera's paper. Takes milliseconds for each claim; claims about an orbit take
+    /// some hundred times as long.
     ///
     /// # Errors
     /// [`StudyError::UndefinedField`]; with `mutate`, also a claim that does not hold.

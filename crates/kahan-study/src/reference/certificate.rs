@@ -9,7 +9,7 @@ use super::no_reference::{LEAST_DIFFERENCE, NoReference};
 use super::path::TrajectoryLimits;
 
 const FEWEST_STEPS: f64 = 16.0;
-/// The smallest factor by which the number of steps grows after a failed trial.
+/// After a failed trial, the number of steps is multiplied by at least this factor.
 const LEAST_MORE: f64 = 1.25;
 const MOST_MORE: f64 = 2.0;
 /// A trial of the composition stops if its relative difference from the Taylor series exceeds this
@@ -28,7 +28,7 @@ pub struct Certificate {
     /// The largest difference from the second method, relative to the trajectory's
     /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
-    /// The last compared time up to which no difference exceeds the allowed difference.
+    /// Up to this time, all compared differences are at most the allowed difference.
     #[serde(skip)]
     pub agreed_until: f64,
 }
@@ -62,8 +62,8 @@ impl Certificate {
         comparison.certificate(Method::ClosedSolution)
     }
 
-    /// Compares a path with the composition. Increases the number of steps until the difference is
-    /// allowed, stops falling, or the time is over.
+    /// Compares a Taylor path with a composition. Increases the number of steps until the
+    /// difference is allowed or stops falling, or until the time is over.
     pub(super) fn by_composition<M, const N: usize>(
         path: &Flow<Dd>,
         map: &M,
@@ -82,8 +82,8 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // Only rounding errors are left if more steps bring no gain and either the difference
-            // is tiny or steps are at most 1/(2‖f′‖) long, where f is the field.
+            // If more steps do not reduce the difference, only rounding errors are left, provided
+            // that the difference is tiny or steps are at most 1/(2‖f′‖) long, for the field f.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {

@@ -22,8 +22,8 @@ pub use certificate::{Certificate, Method};
 pub use no_reference::NoReference;
 pub use path::TrajectoryLimits;
 
-/// Two methods compute the reference, and may differ by this fraction of the error that is allowed
-/// in the orbits compared with it.
+/// The largest difference between the two methods that compute a reference, as a fraction of the
+/// error allowed in orbits that are compared with it.
 pub const PART_OF_TOLERANCE: f64 = 1e-2;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).
@@ -38,7 +38,7 @@ pub struct Reference {
 /// A request for a reference trajectory.
 #[derive(Clone, Copy, Debug)]
 pub struct Trajectory<'a> {
-    /// The system's name in the catalog, which selects a closed solution; else any text.
+    /// The system's name in the catalog, by which a closed-form solution is found; else any text.
     pub command: &'a str,
     /// The parameters.
     pub parameters: &'a [BigRational],
@@ -54,8 +54,8 @@ impl Reference {
     /// Computes the trajectory of a field over double-double numbers. A start with fewer than N
     /// coordinates is padded by zeros.
     ///
-    /// Costs about 250 evaluations of the bilinear form for each Taylor step, and for the check the
-    /// steps of a composition, or some evaluations of the closed solution.
+    /// Each Taylor step costs about 250 evaluations of the bilinear form. The check costs the steps
+    /// of a composition, or some evaluations of a closed-form solution.
     ///
     /// # Errors
     /// [`NoReference`].

@@ -94,5 +94,5 @@ impl core::fmt::Display for DisplayedTime {
     }
 }
 
-/// The relative difference below which rounding limits the agreement.
+/// Relative differences below this bound may be rounding errors.
 pub(super) const LEAST_DIFFERENCE: f64 = 1e-26;

@@ -13,8 +13,8 @@ const MOST_MEMORY: usize = 1 << 30;
 /// Limits on the computation of a trajectory.
 #[derive(Clone, Copy, Default)]
 pub struct TrajectoryLimits<'a> {
-    /// The fraction of [`Trajectory::end`](super::Trajectory::end) by which the trajectory
-    /// continues beyond its end, for orbits that overshoot.
+    /// The trajectory exceeds [`Trajectory::end`](super::Trajectory::end) by this fraction of it,
+    /// because the last step of an orbit may lie beyond the end.
     pub margin: f64,
     /// The number of leading variables that determine errors and scale; `None` for all.
     pub variables: Option<usize>,

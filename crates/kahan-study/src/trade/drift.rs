@@ -6,10 +6,11 @@ use super::runner::Runner;
 
 /// The claimed integrals of a map, and the integrals of the flow that follow from them.
 ///
-/// The integral of the flow is the claim at ε = 0, or, if this is constant, the coefficient of ε².
+/// The integral of the flow is the claim's coefficient of ε⁰ or, if this is constant, of ε².
 #[derive(Debug)]
 pub(super) struct Integrals {
-    /// For each claim, the first k in {0, 1} whose coefficient of ε²ᵏ depends on the state.
+    /// For each claim, the first k = 0 or 1 for which the coefficient of ε²ᵏ depends on the state;
+    /// `None` if there is none.
     coefficients: Vec<Option<usize>>,
 }
 

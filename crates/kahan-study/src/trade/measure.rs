@@ -17,7 +17,7 @@ use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::inspected_steps;
 
-/// If errors of trajectories are measured, integrals are evaluated at this number of points.
+/// If trajectories are measured, integrals are evaluated at about this number of points.
 const INTEGRAL_SAMPLES: usize = 32;
 
 pub(super) struct SettingMeasurements<'a> {
@@ -32,7 +32,7 @@ pub(super) struct SettingMeasurements<'a> {
     /// Whether the steps run as machine code.
     pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
-    /// For each scheme that ran out of time, the ε of its first skipped setting.
+    /// For each scheme that ran into the time limit, the ε of its first setting not measured.
     pub(super) skipped: Vec<(Scheme, f64)>,
     pub(super) watch: &'a dyn Watch,
 }
@@ -44,7 +44,7 @@ impl Trials for SettingMeasurements<'_> {
 
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
         if !(setting.eps() > 0.0 && setting.eps().is_finite()) {
-            // ε is beyond the range of `f32`.
+            // ε is beyond the range of `f32`, so the error counts as infinite.
             return Some(f64::INFINITY);
         }
         let (scheme, steps) = (setting.scheme(), setting.steps());
@@ -68,7 +68,7 @@ impl Trials for SettingMeasurements<'_> {
     fn cost(&self, setting: &Setting) -> f64 {
         let steps = match self.scene.need() {
             Need::Trajectory => setting.steps() as f64,
-            // An orbit for integrals ends at the step nearest to the horizon.
+            // If only integrals matter, the orbit ends at the step nearest to the simulated time.
             Need::Integrals => 0.5 * self.scene.horizon() / setting.eps(),
         };
         self.price(setting.scheme()) * steps
@@ -149,7 +149,7 @@ impl SettingMeasurements<'_> {
         }
         let [own, flow] = drift.most;
         let trajectory_error = self.reference.as_ref().map(|_| trajectory);
-        // Kahan's map preserves its own integrals, a composition nearly those of the flow.
+        // Kahan's map preserves its own integrals; compositions nearly preserve those of the flow.
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });
         Some(Measured {
             setting,
@@ -163,7 +163,7 @@ impl SettingMeasurements<'_> {
     }
 
     /// Returns the distance from the start after all steps forward and back, relative to the start;
-    /// `None` if the time is too short or a number not finite.
+    /// `None` if too little time is left, or if a number is not finite.
     pub(super) fn return_error(&self, setting: &Setting) -> Option<f64> {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
         if 2 * self.expected(scheme, eps, steps as f64) > self.time_left() {

@@ -115,7 +115,7 @@ pub struct Traded {
     /// The evidence that errors of trajectories can be trusted.
     #[serde(rename = "reference")]
     pub certificate: Option<Certificate>,
-    /// Whether prices are measured times of this system's compiled steps, instead of estimates.
+    /// Whether prices were measured with this system's compiled steps; if not, they are estimated.
     #[serde(rename = "timing", serialize_with = "object::timing")]
     pub is_code: bool,
     /// The settings, cheapest first.
@@ -283,8 +283,8 @@ impl<'a> RefinementSearch<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // With `coarsest` steps, the smallest number to try, ε‖f′‖ for the field f is 4 on average
-        // along the reference, or 1 at the start if there is no reference.
+        // The smallest number of steps to try is `coarsest`. With it, ε‖ẍ‖/‖ẋ‖ is 4 on average
+        // along the reference. Without a reference, ε‖f′‖ is 1 at the start.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {
@@ -366,5 +366,5 @@ impl SettingMeasurements<'_> {
     }
 }
 
-/// A duration that means no limit; clocks cannot represent much later times.
+/// A duration that stands for no limit. Much longer ones would overflow the times of clocks.
 const UNLIMITED_TIME: Duration = Duration::from_secs(1 << 32);

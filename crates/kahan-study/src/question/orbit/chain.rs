@@ -96,8 +96,8 @@ impl Chain {
         }
     }
 
-    /// Advances the state by the steps of the schedule. Passes each state to `see`, which may end
-    /// the work, and then passes the row of the state to `rows`.
+    /// Advances the state along the schedule. At each row, calls `see` with the state, which may
+    /// end the orbit, and then passes the row to `rows`.
     pub fn rows(
         &mut self,
         paces: RowSchedule,

@@ -47,7 +47,7 @@ pub(super) trait PointArithmetic: Printable {
     /// Rounds an integer to the nearest number, faster than [`Printable::round`].
     fn whole(n: i64) -> Self::Value;
 
-    /// Rounds a double-double to a number; `None` for exact numbers.
+    /// Rounds a double-double to a float of this arithmetic; `None` if the arithmetic is exact.
     fn narrow(number: Dd) -> Option<Self::Value>;
 
     /// Prepares the orbit of Kahan's map, or of a composition, at its first point.
@@ -115,7 +115,7 @@ of_float!(
     Dd as Dd,
     [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)],
     std::convert::identity,
-    // The remainder of an `i64` after rounding to a double is itself a double.
+    // The difference between an `i64` and the nearest double is itself a double.
     |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64),
     |study, at, _| Study::lifted_step(study, at)
 );

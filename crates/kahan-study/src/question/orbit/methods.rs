@@ -103,7 +103,7 @@ impl<A: PointArithmetic> OrbitPoints<A> for ExplicitOrbit<'_, A> {
     }
 
     fn at_once(&self, every: u64) -> usize {
-        // Exact numbers at least double their digits in each step, so rows are passed on singly.
+        // Exact numbers at least double their digits in each step, so each block is a single row.
         if A::KIND == ScalarKind::Exact { 1 } else { rows_in_milliseconds(self.x.len(), every) }
     }
 

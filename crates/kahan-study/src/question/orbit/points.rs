@@ -26,7 +26,8 @@ pub(super) enum EarlyEnd {
 
 #[derive(Clone, Copy)]
 pub(super) enum EndReason {
-    /// The matrix of Kahan's map is singular; unless `is_reduced`, an image may exist nevertheless.
+    /// The matrix A of Kahan's map is singular. If `is_reduced` is false, the map in lowest terms
+    /// is not known, and may have an image.
     Pole { is_reduced: bool },
     /// A stage of a composition has a pole.
     StagePole,
@@ -160,7 +161,7 @@ impl<A: PointArithmetic> OrbitRows<'_, A> {
             }
             gone?;
             if next == end {
-                // The steps after the last row may still fail.
+                // After the last row, the remaining steps are still made, because they may fail.
                 let left = if end == paces.rows() { paces.in_all() - made } else { 0 };
                 return points.advance(left, &progress).map_err(|halt| halt.after(made));
             }
@@ -247,7 +248,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: EndReason, at: &[
              point is {point}; {kept}"
         ),
     };
-    // In floats, rounding decides whether a pole is detected, so `EndReason::Pole` becomes `Range`.
+    // Rounding in floats decides whether a pole is found or a number overflows; both are `Range`.
     let end = match why {
         EndReason::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
         EndReason::NoLimit(_) => End::Pole(n),

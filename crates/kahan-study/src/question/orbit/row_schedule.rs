@@ -10,7 +10,7 @@ use kahan_runtime::{DimensionError, End, Follow, Followed};
 pub struct RowSchedule {
     /// The number of steps before the first row.
     pub transient: u64,
-    /// The number of steps after the first row. The last row may come some steps before the end.
+    /// The number of steps after the first row. The last row is earlier if `every` is no divisor.
     pub steps: u64,
     /// The number of steps between rows.
     pub every: NonZeroU64,
@@ -39,8 +39,8 @@ impl RowSchedule {
         self.transient + row * self.every.get()
     }
 
-    /// Follows an orbit from `x` to its last point and writes its rows one after another. Reports
-    /// the number of rows that were filled; the remaining rows stay unchanged.
+    /// Follows an orbit from `x` to its last point and writes the scheduled points into `rows`.
+    /// Reports the number of rows that were filled; the remaining rows stay unchanged.
     ///
     /// # Errors
     /// [`DimensionError`] if `x` does not have the length of a state, or the length of `rows` is

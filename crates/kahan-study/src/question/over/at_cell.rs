@@ -1,6 +1,6 @@
-//! Rows of a table for questions about one point or one map, asked at each cell of a grid.
+//! Rows of a table for a question that is asked at each combination of axis values.
 //!
-//! Searches are limited by degree, not by time, so that results do not depend on the machine.
+//! Degrees limit searches, and not times, so that results do not depend on the machine.
 
 use kahan_algebra::rational::Rational;
 

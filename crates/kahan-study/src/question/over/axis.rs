@@ -113,7 +113,7 @@ type Draw = dyn Fn(u64) -> f64 + Sync;
 
 pub(super) enum Values<'a> {
     List(&'a [Rational]),
-    /// The scalars, each by its number of bits.
+    /// The scalars `f64` and `f32`, represented by 64 and 32.
     Scalars(Vec<Rational>),
     Spaced {
         first: Rational,

@@ -1,4 +1,4 @@
-//! The cells of a question over axes: point, parameters and ε, by the number of the cell.
+//! Computes the point, parameters and ε of a cell (a combination of axis values) from its number.
 
 use kahan_algebra::rational::Rational;
 
@@ -32,12 +32,12 @@ pub(in crate::question) struct CellInputs<V> {
     pub(in crate::question) eps: V,
 }
 
-/// The cells of a question. In their order, drawn axes vary fastest, then the last axis, and so on
-/// to the first axis; first points vary slowest.
+/// The cells (combinations of axis values) of a question. From one cell to the next, drawn axes
+/// change first, then the last axis, and so on to the first axis; first points change last.
 pub(in crate::question) struct Cells<'a> {
     pub(in crate::question) axes: Vec<ResolvedAxis<'a>>,
-    /// The number of axes at the end of the list that have exactly one value for each first point;
-    /// the other axes are combined with all first points.
+    /// For this number of axes, the last ones, value k belongs to first point k. The other axes are
+    /// combined with all first points.
     with_starts: usize,
     starts: &'a [Vec<Rational>],
     /// Point, parameters and ε in the question, used unless an axis replaces them.
@@ -222,8 +222,8 @@ impl ResolvedAxis<'_> {
     }
 }
 
-/// Finds the quantity that the axis at `place` varies, and checks that the question allows this
-/// axis.
+/// Finds the variable, parameter or other quantity that the axis with index `place` varies, and
+/// checks that the question allows it.
 fn resolve_axis<'a>(over: &'a Over, place: usize, study: &Study) -> Result<ResolvedAxis<'a>, StudyError> {
     let (axis, observes) = (&over.over[place], matches!(*over.question, Question::Observe(_)));
     let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
@@ -250,7 +250,7 @@ fn resolve_axis<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Resol
     };
     let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
         Some(_) => values.double(index),
-        // Drawn values become NaN, and are refused below, because NaN is not an order of a method.
+        // A drawn value cannot be an order of a method; NaN lets the check below refuse it.
         None => f64::NAN,
     });
     match own.find(|value| !known.contains(value)) {

@@ -80,7 +80,7 @@ pub struct OverFound {
 }
 
 impl Over {
-    /// Refuses an explicit request for drifts of integrals if the field claims no integral.
+    /// Returns an error if drifts of integrals are requested by name, but the field claims none.
     pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
         match &*self.question {
             Question::Observe(asked) => asked.has_integrals(study),
@@ -88,7 +88,7 @@ impl Over {
         }
     }
 
-    /// Asks the question at all combinations of the axes' values. A drawn axis gets one value.
+    /// Asks the question at all combinations of the axes' values. A random axis gets one draw.
     #[must_use]
     pub fn new(question: Question, over: Vec<AxisOver>) -> Self {
         Over { question: Box::new(question), over, starts: Vec::new(), draws: 1, seed: 1 }

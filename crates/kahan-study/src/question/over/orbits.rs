@@ -136,7 +136,7 @@ impl<'a> Orbits<'a> {
         let column = |k: usize| points.iter().map(|point| nearest(point[k])).collect();
         let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
         let of = self.asked.observables();
-        // Steps of lifted fields may check or project new variables, which plain steps do not.
+        // Steps of lifted fields may check or project new variables; `is_plain` steps do not.
         let is_plain = own.first().is_none_or(|map| self.study.steps(map, self.asked.reembed).is_none());
         let found = match own[..] {
             [] => Vec::new(),

@@ -15,8 +15,8 @@ const BLOCKS_PER_THREAD: u64 = 64;
 /// and returns `false` to end the work.
 pub(super) type RowComputation<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
 
-/// Passes the rows of a range to a consumer, in order. If a row is missing, returns
-/// [`End::Stopped`] with the row's number. A block has between `least` and `most` cells.
+/// Passes the rows of a range, in order, to a consumer; a block has `least` to `most` cells. If the
+/// work ends early, returns [`End::Stopped`] with the number of the first missing row.
 pub(super) fn in_parallel_blocks(
     range: Range<u64>,
     [least, most]: [u64; 2],

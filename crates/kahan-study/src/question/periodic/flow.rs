@@ -1,5 +1,5 @@
-//! Limit cycles of the flow. ε is found together with the points; the search starts from close
-//! returns of an orbit.
+//! Finds limit cycles of the flow, as points together with ε. The search starts where an orbit
+//! nearly returns to an earlier point.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, DMatrix};
@@ -35,7 +35,7 @@ pub struct FlowFound {
 }
 
 impl FlowFound {
-    /// Extrapolates cycles of N, 2N, 4N, … steps, whose errors are series in these `powers` of ε.
+    /// Extrapolates from cycles of N, 2N, 4N, … steps; errors are series in these `powers` of ε.
     fn of(mut points: Vec<BranchPoint>, powers: &[i32]) -> (Self, BranchPoint) {
         let limit = |of: &dyn Fn(&BranchPoint) -> f64| {
             Extrapolated::of(&points.iter().map(of).collect::<Vec<_>>(), powers)
@@ -189,9 +189,9 @@ impl Family {
         begin: f64,
         count: &WorkCount<'_>,
     ) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The most points searched for returns, if no number of steps is requested.
+        /// The largest number of points among which close returns are sought, by default.
         const MOST_POINTS: usize = 256_000;
-        /// The most steps until a return, if no number of steps is requested.
+        /// The largest number of steps from a point to its close return, by default.
         const MOST_STEPS: usize = 20_000;
         /// The largest accepted relative deviation from the requested number of steps.
         const NEAR: f64 = 0.1;
@@ -202,8 +202,7 @@ impl Family {
         let (eps, wanted) = (self.eps.to_f64(), (asked.period > 1).then_some(asked.period));
         let search = |start: &[f64], eps: f64, steps: usize| {
             let found = flow_cycle(map, start, eps, steps)?;
-            // If the cycle goes round several times, `flow_cycle` returns a single round, which has
-            // fewer steps than requested.
+            // `flow_cycle` reduces a cycle of several rounds to one, which is not accepted.
             let is_it = found.is_near(wanted.unwrap_or(found.cycle.points.len()), eps);
             if is_it { Ok(found) } else { Err(NoPeriodicPoint::NoReturn) }
         };
@@ -238,7 +237,7 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                // If a return is two rounds of a cycle, both rounds need equally many steps.
+                // A return may be two rounds of a cycle, so the number of steps is even.
                 let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
@@ -262,8 +261,7 @@ impl Family {
         if numbers > MOST_NUMBERS {
             return Err(StudyError::LongCycle { unknowns: numbers, most: MOST_NUMBERS });
         }
-        // Steps that start on the relations of a lift are not symmetric in ε, so the error has odd
-        // powers of ε, too.
+        // Errors are series in ε², but for lifted fields series in ε.
         let powers = if self.study.lifted().is_some() { Extrapolated::ALL } else { Extrapolated::EVEN };
         let begin = asked.begin();
         let map = |eps| self.flow_at(begin, eps, None, count);
@@ -315,7 +313,7 @@ type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
     let is_like = |mark: BranchPointKind| move |point: &&BranchPoint| point.mark == mark;
     let extrapolate = |(index, point): (usize, &BranchPoint)| {
-        // A branch may have several points with this `mark`; `before` counts the earlier ones.
+        // Corresponding points of the branches have this `mark`, and equally many such before them.
         let before = branches[0].points[..index].iter().filter(is_like(point.mark)).count();
         let alike =
             branches.iter().map(|one| one.points.iter().filter(is_like(point.mark)).nth(before).cloned());

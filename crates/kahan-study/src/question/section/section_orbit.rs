@@ -64,7 +64,7 @@ impl CrossingReceiver<Crossing<Vec<f64>, f64>> for BufferedCrossings<'_> {
     fn report(self) {}
 }
 
-/// An observer of a part of an orbit. It counts steps from the first point of the whole orbit.
+/// An observer of an orbit that is followed in several calls. It counts all steps of the orbit.
 struct ContinuedObserver<'a, O> {
     section: &'a mut O,
     before: u64,
@@ -136,7 +136,6 @@ impl SectionOrbit {
         self.jumps += jumps;
         let has_all = self.kept.all >= self.kept.most;
         match end {
-            // The buffer is full, or the watch ended the work.
             End::Stopped(steps) if is_full && !has_all => self.made += steps,
             End::Complete => (self.made, self.end) = (limit, Some(End::Complete)),
             end => self.ends(end, left),

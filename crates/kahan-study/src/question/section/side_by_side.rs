@@ -75,7 +75,7 @@ impl<'a, F: Fn(&[f64]) -> f64 + Copy> SectionLane<'a, F> {
 
 struct LaneObserver<'c, 'a, F> {
     lane: &'c mut SectionLane<'a, F>,
-    /// The formula of the whole group; `None` if the formula depends on integrals.
+    /// The formula for all orbits of the group at once; `None` if the formula depends on integrals.
     abreast: Option<&'c FormulaGroup>,
     before: u64,
 }

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::super::seconds_since;
 
-/// The operation counts of a system's generated code, and the times of deriving and planning it.
+/// The operation counts of a system's generated code, and the times to derive and plan the code.
 #[derive(Clone, Debug, Serialize)]
 pub struct ShownPlans {
     /// The name of the system.
@@ -18,7 +18,7 @@ pub struct ShownPlans {
     pub objects: Vec<FunctionCost>,
     /// The step as a straight-line program; `None` if the step is Gaussian elimination in a loop.
     pub step: Option<Listing>,
-    /// The step for every scalar, if `step` multiplies by 1/ε and so is only for floats.
+    /// A step for scalars of every kind, if `step` multiplies by 1/ε, which is for floats only.
     pub general_step: Option<Listing>,
     /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
@@ -42,7 +42,7 @@ pub struct FunctionCost {
     pub multiply_adds: Option<usize>,
     /// Divisions.
     pub divisions: Option<usize>,
-    /// All operations on a target without multiply-adds.
+    /// All operations, with each multiply-add counted as two.
     pub operations: Option<usize>,
     /// The length of the critical path in cycles.
     pub chain_cycles: Option<u32>,
@@ -57,9 +57,9 @@ pub struct Listing {
     pub kernel: Vec<String>,
     /// For each component, the name of 1/denominator of the increment; `None` without division.
     pub reciprocals: Vec<Option<String>>,
-    /// The instructions of x̃, one for each component.
+    /// The formulas of x̃, one for each component.
     pub next: Vec<String>,
-    /// The largest |εf′| for which the step is nearly as accurate as Gaussian elimination.
+    /// The largest of ‖εf′‖∞ = 1, 10, 100 and 1000 at which the step is accurate; 0 if none.
     pub holds_to: u32,
 }
 
