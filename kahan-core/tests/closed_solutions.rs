@@ -113,7 +113,7 @@ fn a_component_that_is_small_keeps_its_digits() {
         let t = f64::from(k) / 10.0;
         let exact = 1e-9 * (100.0 * (t - 2.0 + 2.0 * (-t).exp())).exp();
         let s = flow.at(t.into())[1];
-        // The exponent of s neglects 100 ∫ns dt < 1e-10.
+        // The neglected ∫ns dt < 1e-12 changes n, and with the factor 100 the exponent of s.
         assert!((s / exact - 1.0).abs() < 1e-10, "t = {t}: {s:e} for {exact:e}");
     }
 }

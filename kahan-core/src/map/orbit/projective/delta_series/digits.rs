@@ -32,7 +32,7 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN_BITS) { leading } else { entry }
 }
 
-/// If the inverse steps lose more bits than this, the passage through a pole is not one-to-one.
+/// If inverse steps lose more bits, a passage through a pole does not count as one-to-one.
 const MAX_LOST_BITS: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
