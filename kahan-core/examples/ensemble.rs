@@ -12,7 +12,7 @@ kahan! {
     integral H = (3*x^2 + 3*v^2 + 2*x^3 - eps^2*(x^2 + v^2 + 2*x*v^2))/(1 + eps^2*(1 + 2*x));
 }
 
-/// Prints mean velocities. Returns the last mean velocity, and the largest change of the energy H.
+/// Returns the last mean velocity, and the largest change of any spring's energy H.
 pub(crate) fn run() -> (f64, f64) {
     let eps = 0.05;
     let map = Spring.at(eps);

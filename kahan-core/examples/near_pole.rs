@@ -1,8 +1,8 @@
 //! Compares the results of `step` and `try_step` near a pole.
 //!
 //! The map of ẋ = x² is x̃ = x/(1 − 2εx). For x = 5 and the float nearest to 0.1 as ε, the
-//! denominator is −2⁻⁵⁴, which `step` rounds to 0. The result of `try_step` has a relative error of
-//! at most 64 rounding units, or is an error with the reason.
+//! denominator is −2⁻⁵⁴, which `step` rounds to 0. `try_step` returns a value with a relative error
+//! of at most 64 rounding units, or an `Err` that states the reason.
 
 use kahan_core::prelude::*;
 

@@ -14,7 +14,7 @@ kahan! {
     integral G = (1 - eps^2*a*b*z^2)/(1 - eps^2*b*c*x^2);
 }
 
-/// Prints every thousandth point. Returns the largest change of an integral.
+/// Prints every thousandth point. Returns the largest change of any integral along the orbit.
 pub(crate) fn run() -> f64 {
     let top = EulerTop { a: 1.0, b: -2.0, c: 1.0 };
     let (start, eps) = (vector![1.0, 0.01, 0.5], 0.05); // eps is half the time step

@@ -66,8 +66,8 @@ pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Stores a result. For scalars other than floats the store is a call, because thousands of inlined
-/// stores would take minutes to compile.
+/// Stores a result. For scalars other than floats this is a call, because generated functions have
+/// up to thousands of stores, which, if inlined, would take minutes to compile.
 #[inline(always)]
 pub fn put<T: Scalar>(place: &mut T, result: T) {
     #[inline(never)]
@@ -93,7 +93,7 @@ pub mod arguments {
     pub fn s() {}
 }
 
-/// Returns whether |ε| is in the range in which a step may be computed with divisions by ε.
+/// Returns whether a step may divide by ε. Plain `f64` steps may if |ε| is from 2⁻⁸⁴ to 2⁶⁴.
 pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     crate::scalar::tuning::may_divide_by(eps)
 }

@@ -1,9 +1,9 @@
 //! Elimination for dense fields f, in loops over rows or over the points of an ensemble.
 //!
 //! [`velocity`] computes A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). For any number of lanes, the
-//! operations and their order are those of [`Couplings`](crate::__private::Couplings). Products
-//! xⱼxₖ that do not occur in f have the coefficient 0. If all products are finite, these terms
-//! change at most the signs of zeros.
+//! operations and their order equal those of [`Couplings`](crate::__private::Couplings). Products
+//! xⱼxₖ that do not occur in f are added with the coefficient 0. If all products are finite, this
+//! changes at most the sign of a sum that is 0.
 
 mod points;
 #[cfg(test)]
@@ -75,7 +75,7 @@ pub struct Workspace<T> {
     /// The matrix A(x,ε) column by column, followed by f(x).
     columns: Vec<T>,
     factors: Vec<T>,
-    /// Pivots with factors above `LARGEST_FACTOR`, whose rows are tested after the elimination.
+    /// Pivots with an elimination factor above `LARGEST_FACTOR`; their rows are tested at the end.
     suspects: Vec<usize>,
 }
 

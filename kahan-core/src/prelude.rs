@@ -9,7 +9,7 @@ pub use crate::{
 
 pub use nalgebra::{SMatrix, SVector};
 
-// With these traits in scope, rustc explains which declaration a `kahan!` block lacks.
+// If these traits are in scope, rustc's errors explain which declaration a `kahan!` block lacks.
 #[doc(hidden)]
 pub use crate::undeclared::{IntegerParameters as _, WithoutDensity as _, WithoutIntegrals as _};
 

@@ -38,8 +38,8 @@ pub struct Supernodes {
     lists: Vec<u32>,
 }
 
-/// Consecutive rows with equal columns to the right of the last row. The panel's columns are the
-/// union of the columns of these rows.
+/// Consecutive rows with entries in equal columns to the right of these rows' diagonal block. The
+/// panel's columns are the union of the columns of these rows.
 #[derive(Clone, Debug)]
 struct Panel {
     rows: Range<usize>,
@@ -52,12 +52,12 @@ struct Panel {
 struct PanelReduction {
     /// The index of the row after the last pivot.
     end: usize,
-    /// The index of the first panel column after the last pivot.
+    /// The index, among the panel's columns, of the column after the last pivot.
     behind: usize,
     tasks: Range<usize>,
     runs: Range<usize>,
-    /// If rows are reduced one pivot at a time, the index in `lists` of the first column after the
-    /// last pivot.
+    /// If rows are reduced one pivot at a time, `lists` has the columns after the last pivot from
+    /// this index on. Otherwise `None`.
     list: Option<usize>,
 }
 
@@ -75,7 +75,7 @@ struct RowReduction {
 /// A range of panel columns in which a pivot row has entries.
 #[derive(Clone, Debug)]
 struct ColumnRun {
-    /// The number of entries of a pivot row between the last pivot's column and this range.
+    /// In a pivot row, the number of entries between the last pivot's column and this range.
     before: u32,
     column: u32,
     length: u32,
@@ -258,9 +258,9 @@ impl Supernodes {
     /// Replaces A by its LU factors, as [`Couplings::factor`] does. Returns `false` if a pivot is 0
     /// or too small; the values are then useless.
     ///
-    /// With `flushes`, an entry is replaced by 0 if it is negligible in its row and in its column:
-    /// below [`InLanes::NEGLIGIBLE`] times the largest off-diagonal entry of A there. Without
-    /// `flushes`, factors of distant variables can become subnormal, which is slow.
+    /// With `flushes`, an entry is replaced by 0 if it is below [`InLanes::NEGLIGIBLE`] times the
+    /// largest off-diagonal entry of A, both in its row and in its column. Without `flushes`,
+    /// factors of distant variables can become subnormal, which is slow.
     #[must_use]
     pub fn factor<T: InLanes>(
         &self,
@@ -331,8 +331,8 @@ fn negligible<T: InLanes>(largest: T) -> T {
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: InLanes> PanelWork<'_, T> {
-    /// Computes the factors of a panel. Returns `false` if a pivot is 0 or too small. The functions
-    /// for reductions are called at one place each, because they are inlined.
+    /// Computes the factors of a panel. Returns `false` if a pivot is 0 or too small. Each function
+    /// for reductions is called at only one place, because it is inlined and large.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
         let supernodes = self.supernodes;

@@ -1,7 +1,7 @@
 //! Methods that a system lacks, with diagnostics that say which declaration is missing.
 //!
 //! The bounds of these methods are never satisfied, and therefore every call is a compile error.
-//! The methods take `&mut self`, because rustc prefers declared methods, which take `&self`.
+//! The methods take `&mut self`: rustc prefers declared methods of equal name with `&self`.
 
 use core::iter::Empty;
 
@@ -9,7 +9,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// A type that implements none of the traits below.
+/// A type for bounds that must never hold. It implements none of the traits below.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 
@@ -29,7 +29,7 @@ pub trait DeclaresIntegral<S: ?Sized, T> {}
 )]
 pub trait DeclaresDensity<S: ?Sized, T> {}
 
-/// A bound that never holds: rustc prints this message if the parameters of S are no scalars.
+/// A bound that never holds: rustc prints this message if the parameters of S are integers.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{S}` are integers, and a Kahan map computes with fractions",
     label = "its parameters are integers: write `1.0`, not `1`",

@@ -197,7 +197,7 @@ fn a_state_of_another_length_panics() {
     let _ = E6.at(EPS).run(&mut [0.5, 1.0], 1);
 }
 
-/// A step turns by the angle 2 arctan ε. After a quarter of the circle, x is 0.
+/// A step turns the point by 2 arctan ε. After a turn by π/2, x is 0.
 #[test]
 fn a_first_crossing_is_told_of_any_map() {
     let map = Turn.at(EPS);

@@ -164,8 +164,8 @@ fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     assert!(exact.residual(&before, &next) <= BigRational::new((5 + 8).into(), (1_i64 << 24).into()));
 }
 
-/// The terms of the residual are 350 powers of ten larger than the residual, whose bound is
-/// useless. But the digits of x̃ are known, and they prove the step.
+/// The terms of the residual are 350 powers of ten larger than the residual, so that its bound is
+/// useless. The step is proved by the known digits of x̃ instead.
 #[test]
 fn a_step_whose_digits_are_known_needs_no_residual() {
     kahan! {
@@ -176,7 +176,7 @@ fn a_step_whose_digits_are_known_needs_no_residual() {
     let crowd = Crowd { q: vec![q, 0.25], r: vec![r, 2.0] };
     let mut state = vec![8.803_863_726_421_91e96, 1.0];
     crowd.at(-2.5e-99, 2).expect("a map").try_step(&mut state).expect("a step");
-    // The first site has ẋ = ax − bx² with a = 1/r² and b = q/r². At this ε, x̃ is nearly a/(2b).
+    // The first site has ẋ = (x − qx²)/r². At this ε, x̃ equals 0.5/q up to rounding.
     assert_eq!(state, [0.5 / q, 1.0]);
 }
 

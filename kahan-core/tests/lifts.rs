@@ -85,7 +85,7 @@ fn first_values_are_those_of_libm() {
     assert_eq!(kepler, vector![3.0, 4.0, 0.5, -0.25, 0.024, 0.032, 1.5625, 0.02, 0.008, -0.2]);
 
     let morse = Morse { depth: 2.0, a: 0.5 }.embed(&vector![1.0, 0.0]);
-    // The new variables are powers of the exponential exp(a x).
+    // This is e^½ = exp(a x) for a = ½ and x = 1. The new variables are powers of exp(a x).
     let exponential = 1.648_721_270_700_128_2_f64;
     assert_eq!(morse, vector![1.0, 0.0, (exponential * exponential).recip(), exponential.recip()]);
 }

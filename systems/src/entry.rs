@@ -35,7 +35,7 @@ pub struct Entry {
     pub parameters: &'static [(i64, i64)],
     /// The closed solution of the flow, if known.
     pub flow: Option<ClosedFlow>,
-    /// For each claim its name and its source, which is a place in the paper or `FOUND`.
+    /// Each claim's name and source: a place in the paper, or `FOUND` if `kahan discover` found it.
     pub sources: &'static [(&'static str, &'static str)],
 }
 

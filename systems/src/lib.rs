@@ -2,8 +2,7 @@
 //! Lotka–Volterra, E1 to E9 of Hone and Petrera, and further systems. Each file has a `kahan!`
 //! block with a field and its claims, which the macro proves. In blocks, ε (half the time step) is
 //! written `eps`. [`registry`] lists the systems and explains how to add a system. [`lattices`] has
-//! systems with any number of sites. The crate must not depend on the `kahan` command, nor on
-//! `kahan-paper`, which checks statements of the paper.
+//! systems with any number of sites.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

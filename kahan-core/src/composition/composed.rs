@@ -31,7 +31,7 @@ pub(crate) struct Palindrome<P> {
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// Creates a symmetric composition of 1 to 9 distinct stages: stage k < `len` is `step(k)`.
+    /// Creates a composition of `len` distinct stages, from 1 to 9; `step(k)` returns stage k.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
@@ -57,7 +57,7 @@ impl<S: Step> Composed<S> {
         Self { stages: Palindrome::new(gammas.len(), stage), composition, eps }
     }
 
-    /// Returns the composition that combines the stages.
+    /// Returns the name, the order and the coefficients of this composition.
     pub fn composition(&self) -> Composition {
         self.composition
     }
@@ -104,7 +104,7 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // Stages differ only in ε, an argument of `part`. Therefore the first stage serves for all.
+        // Apart from ε, which `part` takes as an argument, all stages are equal.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))
@@ -202,7 +202,7 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Returns the compensated orbit of a composition that starts at this orbit's state.
+    /// Returns the compensated orbit of `composition` that starts at this orbit's state.
     #[inline]
     pub fn composed(self, composition: Composition) -> Orbit<Compensated<Composed<KahanAt<M, T, N>>>> {
         self.with_map(|Compensated(at)| Compensated(at.composed(composition)), |state| state)

@@ -19,14 +19,14 @@ pub(crate) use stages::Staged;
 /// A symmetric composition of s Kahan steps, with coefficients γ₁, …, γₛ and γᵢ = γₛ₊₁₋ᵢ. A
 /// composed step at ε runs Kahan steps at γ₁ε, …, γₛε in this order.
 ///
-/// # What survives
+/// # Properties that a composition keeps
 /// - **Reversibility**: the inverse of a composition is the composition with −ε.
 /// - **Affine equivariance** and **linear integrals**, as for Kahan's map.
-/// - **Integrals and invariant measures that do not depend on ε**: in the catalog `kahan-systems`,
-///   these are y/x for E1 and E3, and the ratio H/K of the integrals H and K for E2, E4, E5 and E6.
-///   For the Euler top the ratio is (1 − H)/(1 − 1/K).
+/// - **Integrals and invariant measures that do not depend on ε**: in the catalog
+///   `kahan-systems`, the systems E1 and E3 have the integral y/x, and E2, E4, E5 and E6 the ratio
+///   H/K of their integrals H and K. The Euler top has (1 − H)/(1 − 1/K).
 ///
-/// # What does not
+/// # Properties that a composition loses
 /// - **Integrals and measures that depend on ε**: the composition conserves none of these. In a
 ///   method of order p, the integrals H and K of E2, E4, E5, E6 and the Euler top oscillate by
 ///   O(εᵖ) around the flow's integral, without drift.
@@ -100,7 +100,7 @@ impl Composition {
         Self { name, order, first_half }
     }
 
-    /// The recommended compositions. The other compositions cost more for an equal error.
+    /// The best composition of each order: others cost more for an equal error.
     pub const BEST: [Self; 4] = [Self::KAHAN, Self::SUZUKI_4, Self::KAHAN_LI_6, Self::KAHAN_LI_8];
 
     /// Returns the composition of this order in [`BEST`](Self::BEST), if there is one.

@@ -18,7 +18,7 @@ pub(crate) trait Staged<T: Scalar, const N: usize>:
 
     fn in_order<'a, P: 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P>;
 
-    /// For every k, combines the k-th stages of the maps, or returns `None` if compositions differ.
+    /// Applies `of` to the k-th stages of the maps, for every k. `None` if the compositions differ.
     #[cfg(feature = "std")]
     fn zip_stages<P, const W: usize>(
         each: [&Self; W],

@@ -63,10 +63,10 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
-    /// Replaces the last column by the solution, and returns the growth. For a pivot p, let r be
-    /// the largest |entry| to the right of p in its row, and c the largest |entry| below p. The
-    /// growth is the maximum of min(r, c)/|p| over all pivots. `sizes` is memory for two numbers
-    /// per variable.
+    /// Solves the linear system whose right-hand side is the last column, replaces this column by
+    /// the solution, and returns the growth. For a pivot p, let r be the largest |entry| to the
+    /// right of p in its row, and c the largest |entry| below p. The growth is the maximum of
+    /// min(r, c)/|p| over all pivots. `sizes` is memory for two numbers per variable.
     #[inline(always)]
     fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
         let (n, zero) = (self.variables, L::spread(&T::zero()));

@@ -26,8 +26,8 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
         None
     }
 
-    /// Advances columns of equal length; `first` is the index of the columns' first group. If a map
-    /// meets a pole and 1/0 has no value in T, the error is the ε of this map.
+    /// Advances columns of equal length; `first` is the index of their first group in the ensemble.
+    /// If a map meets a pole and 1/0 has no value in T, the error is the ε of this map.
     #[doc(hidden)]
     fn advance(
         &self,

@@ -38,7 +38,7 @@ impl<T: Copy, const N: usize> Columns<T, N> {
         let mut entries: Vec<T> = Vec::with_capacity(N * stride + skipped_at_most);
         let start = match entries.as_ptr().align_offset(CACHE_LINE) {
             start if start <= skipped_at_most => start,
-            // If no aligned index exists, loads are slower, but results are equal.
+            // If alignment is impossible, loads are slower, but results are equal.
             _ => 0,
         };
         entries.resize(start, entry(0, 0));

@@ -17,7 +17,7 @@ pub trait Lanes<T>: Scalar + Copy {
     /// The lanes in which a comparison holds.
     type Mask: Copy;
 
-    /// Loads `WIDTH` entries from `place` on.
+    /// Loads the `WIDTH` entries from the index `place` on.
     fn load(entries: &[T], place: usize) -> Self;
 
     /// Stores the lanes into the entries from `place` on.
@@ -100,8 +100,8 @@ pub trait InLanes: EnsembleScalar {
     /// The number of numbers in a 256-bit register. Dense columns have a multiple of this height.
     const ROWS: usize = Self::MOST / 2;
 
-    /// An entry changes no bit of the solution if it is below this fraction of the largest entries
-    /// in its row and in its column. The square of this fraction does not underflow.
+    /// A fraction whose square does not underflow. An entry below this fraction of the largest
+    /// entries of its row and of its column changes no bit of the solution.
     const NEGLIGIBLE: Self;
 
     /// Runs work with the instruction set `level`, or with the baseline if the processor lacks it.
@@ -109,8 +109,8 @@ pub trait InLanes: EnsembleScalar {
 }
 
 pub(super) trait LaneSweep: InLanes {
-    /// Advances columns of equal length by the step of `map`, computed in lanes. The instruction
-    /// set is that of `on`, or the baseline if the processor lacks it.
+    /// Advances columns of equal length by `steps` steps of `map`, computed in lanes. `on` names
+    /// the instruction set; if the processor lacks it, the baseline is used.
     fn advance_lanes<S, const N: usize>(
         map: &S,
         columns: [&mut [Group<Self>]; N],

@@ -8,15 +8,14 @@
 #[non_exhaustive]
 pub enum Level {
     /// The instructions for which the program was compiled. On x86-64 and 64-bit Arm they advance
-    /// two `f64` or four `f32` at a time, elsewhere one. The bits are those of
-    /// [`KahanAt::step`](crate::KahanAt::step) unless that step divides more than once or divides
-    /// by the time step. Lanes always use formulas with one division, because divisions limit the
-    /// throughput.
+    /// two `f64` or four `f32` at a time, elsewhere one. Lanes use formulas with one division,
+    /// because divisions limit the throughput. Therefore the bits are those of
+    /// [`KahanAt::step`](crate::KahanAt::step) if that step also divides once, and not by ε.
     Baseline,
     /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.
     Avx2,
     /// AVX-512F, eight `f64` or sixteen `f32` at a time, with the bits of [`Avx2`](Self::Avx2).
-    /// AVX-512F helps mainly if multiplications limit the speed, because the divider is no faster.
+    /// AVX-512F helps mainly multiplications, because its divider is no faster than AVX2's.
     Avx512,
     /// NEON on 64-bit Arm, two `f64` or four `f32` at a time, with the bits of
     /// [`Avx2`](Self::Avx2).

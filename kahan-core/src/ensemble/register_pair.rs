@@ -16,7 +16,7 @@ pub struct RegisterPair<L>(L, L);
 
 operators!([L: Scalar + Copy] RegisterPair<L>: Self::sum, Self::difference, Self::product, Self::ratio);
 
-/// Operators need named functions: closures are not inlined into functions with target features.
+/// Operators call these functions, because closures are not inlined under target features.
 impl<L: Scalar + Copy> RegisterPair<L> {
     #[inline(always)]
     fn sum(self, other: Self) -> Self {

@@ -90,8 +90,8 @@ where
         Ok(())
     }
 
-    /// Advances one trajectory at a time, with copies of it in all lanes, because the maps have
-    /// different compositions. The bits in a lane do not depend on the other lanes.
+    /// Advances one trajectory after another, because their maps have different compositions. Each
+    /// is copied into all lanes; a lane's bits do not depend on the other lanes.
     fn in_turn(self, on: Instructions) -> Result<(), T> {
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {

@@ -27,7 +27,7 @@ pub struct Couplings<'a> {
     pub places: &'a [u32],
 }
 
-/// The entries of a row of A, as the four indices that [`new`](Self::new) takes.
+/// A row's range among the entries of A, and two indices in this range; see [`new`](Self::new).
 #[derive(Clone, Copy, Debug)]
 pub struct CouplingRow {
     start: u32,
@@ -37,8 +37,8 @@ pub struct CouplingRow {
 }
 
 impl CouplingRow {
-    /// Creates a row from four indices of entries: the row's first entry, its first entry in its
-    /// own block, its diagonal entry, and the entry after its last.
+    /// Creates a row from indices of entries: the row's first entry, its first entry in its
+    /// diagonal block, its diagonal entry, and the index after its last entry.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
         CouplingRow { start, own, diagonal, end }
@@ -88,8 +88,8 @@ impl Couplings<'_> {
         has_pivots && !is_refused
     }
 
-    /// Replaces A by its LU factors. Returns `false` if a pivot is 0. Before each reduction of a
-    /// row, `see` gets the index of the pivot's row, the factor, and the current entries of A.
+    /// Replaces A by its LU factors, or returns `false` if a pivot is 0. Before a row is reduced,
+    /// `see` gets the index of the pivot's row, the factor, and the present entries of A.
     pub fn eliminate<T: Scalar>(
         &self,
         values: &mut [T],
@@ -123,7 +123,7 @@ impl Couplings<'_> {
         !is_singular
     }
 
-    /// Returns the reciprocal pivot of a row, and the row's entries to the right of the pivot.
+    /// Returns the reciprocal pivot of row `turn`, and the row's entries to the right of the pivot.
     pub fn pivot<'a, T>(&self, turn: usize, values: &'a [T]) -> (&'a T, &'a [T]) {
         let row = &self.rows[turn];
         (&values[row.diagonal as usize], &values[row.right()])

@@ -83,7 +83,7 @@ pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<
 ///
 /// With C = I − A and its characteristic polynomial χ(λ) = λᴺ + c₁λᴺ⁻¹ + … + c_N,
 ///
-///   det A = χ(1),   adj(A)·b = Σ v_k (k < N),   v₀ = b,   v_k = C·v_{k−1} + c_k·b,
+///   det A = χ(1),  adj(A)·b = Σ_{k<N} v_k with v₀ = b and v_k = C·v_{k−1} + c_k·b.
 ///
 /// For Kahan's matrix A = I − εf′, C = εf′ is of order ε. Therefore the sum has no cancellation for
 /// small ε. The cost is O(N⁴) operations.
@@ -121,8 +121,7 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
         let toeplitz = toeplitz_column(c, m);
-        // With the Toeplitz column t, coefficient k becomes
-        // t_k + old_k + Σ t_{k−j}·old_j, 1 ≤ j < k.
+        // With t = `toeplitz`, coefficient k becomes t_k + old_k + Σ t_{k−j}·old_j over 1 ≤ j < k.
         let old = coefficients;
         coefficients = from_fn(|k| {
             if k > m {
@@ -141,8 +140,8 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     coefficients
 }
 
-/// Returns column 0 of the m-th Toeplitz matrix without its leading 1: −d, −r·s, −r·C_m·s, …,
-/// −r·C_m^(m−1)·s, then zeros. The leading block of size m+1 of `c` is [[C_m, s], [r, d]].
+/// Let the leading block of size m + 1 of `c` be [[C_m, s], [r, d]]. Returns column 0 of the m-th
+/// Toeplitz matrix without its leading 1: −d, −r·s, −r·C_m·s, …, −r·C_m^(m−1)·s, then zeros.
 fn toeplitz_column<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, m: usize) -> [T; N] {
     let mut power: [T; N] = from_fn(|i| if i < m { c[(i, m)].clone() } else { T::zero() });
     from_fn(|k| {

@@ -62,7 +62,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
         }
     }
 
-    /// Takes `steps` steps with the given constants and ε. Over exact scalars, stops before a pole.
+    /// Takes `steps` steps with the `constants` for ε. Over exact scalars, stops before a pole.
     fn advance<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -89,7 +89,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
         Ok(())
     }
 
-    /// Solves A(x,ε)·w = `right` by eliminating the whole chain. The default of `right` is f(x).
+    /// Solves A(x,ε)·w = `right`, by default f(x), by eliminating the whole chain.
     fn solve<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -134,7 +134,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = PromiseCheck::new(&map, &eps, sites * sizes.block);
-        // Constants that overflow T are accepted if `try_step` can compute them in a wider range.
+        // Constants may overflow T if they have values in the wider range of `try_step`.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
@@ -206,9 +206,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// of A has k entries, and u is the rounding unit. Steps over exact scalars are exact.
     ///
     /// # Errors
-    /// If the state is a pole, if the state or x̃ is not finite, or if the bound is not reached by
-    /// two refinements of the step nor, for at most 4096 unknowns, by an elimination with many
-    /// digits, which allocates.
+    /// If the state is a pole, if the state or x̃ is not finite, or if two refinements of the step
+    /// do not reach the bound. For at most 4096 unknowns, an elimination with many digits, which
+    /// allocates, is tried before the last error.
     ///
     /// # Panics
     /// If the state has the wrong length.
@@ -301,8 +301,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`. For f(x) =
-    /// Q(x,x) + Bx + c and b(x,ε) = x + εBx + 2εc, the result is the maximum of
+    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`. With f(x)
+    /// = Q(x,x) + Bx + c, A(x,ε) = I − εf′(x) and b(x,ε) = x + εBx + 2εc, the result is the maximum
+    /// over all components of
     ///
     ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|).
     ///

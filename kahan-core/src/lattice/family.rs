@@ -12,7 +12,7 @@ pub enum Boundary {
 /// The sizes of the equations of one site of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
-    /// The number of arrays, which is the number of unknowns per site.
+    /// The number of arrays of the family, which is the number of unknowns per site.
     pub block: usize,
     /// The largest offset of a neighbour in the equations, at least 1.
     pub reach: usize,
@@ -22,9 +22,9 @@ pub struct Sizes {
     pub lower: usize,
     /// The upper bandwidth of the matrix A, counted in unknowns.
     pub upper: usize,
-    /// The number of scratch numbers for the equations of one site.
+    /// The number of scratch numbers that `LatticeMap::rows` needs for one site.
     pub registers: usize,
-    /// The number of scratch registers for the equations of one site in SIMD lanes.
+    /// The number of scratch SIMD registers for the equations of one site in lanes.
     pub registers_abreast: usize,
 }
 
@@ -32,7 +32,7 @@ pub struct Sizes {
 ///
 /// | parameter | meaning |
 /// |---|---|
-/// | `B` | the number of arrays |
+/// | `B` | the number of arrays of the family |
 /// | `R` | the largest offset of a neighbour, at least 1 |
 /// | `P` | the number of parameters per site |
 /// | `C` | the number of prepared constants |
@@ -41,9 +41,8 @@ pub struct Sizes {
 /// | `SITES` | 2R + 1, the number of sites in the equations of one site |
 /// | `WIDTH` | `LOWER` + 1 + `UPPER`, the number of entries in a row of the band |
 ///
-/// Array b of site i has row (i, b). The entry of this row in the column of array b′ of site i + o
-/// lies o·B + b′ − b to the right of the diagonal. Wrong values of `SITES` or `WIDTH` do not
-/// compile.
+/// Row (i, b) of A belongs to array b of site i. Its entry for array b′ of site i + o lies o·B + b′
+/// − b to the right of the diagonal. Wrong values of `SITES` or `WIDTH` do not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct Stencil<
     const B: usize,
@@ -67,7 +66,7 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// The sizes of this stencil as values.
+    /// The const parameters of this type as [`Sizes`].
     pub const SIZES: Sizes = {
         assert!(B > 0 && R > 0 && SITES == 2 * R + 1 && WIDTH == LOWER + 1 + UPPER);
         assert!(LOWER < (R + 1) * B && UPPER < (R + 1) * B);

@@ -1,9 +1,9 @@
 //! Solves a banded system, cyclic or not, by one elimination with partial pivoting.
 //!
 //! A cyclic band of half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order
-//! 0, n−1, 1, n−2, …. Entries of equal row and column are added; therefore a ring may be shorter
-//! than its band. To save memory, a solver may keep only some rows of U; back substitution then
-//! eliminates the other rows again.
+//! 0, n−1, 1, n−2, …. If a ring is shorter than its band, several entries fall on one row and
+//! column, and are added. To save memory, a solver may keep only some rows of U; back substitution
+//! then eliminates the other rows again.
 
 use std::vec;
 use std::vec::Vec;
@@ -46,7 +46,7 @@ pub(super) struct FoldedBand<T> {
     window: Vec<T>,
     /// The finished rows of U for `stretch` columns, stored in the layout of `window`.
     done: Vec<T>,
-    /// The contents of `window` at the start of each stretch.
+    /// Copies of `window`, one for the start of each stretch of `stretch` columns.
     begun: Vec<T>,
     solution: Vec<T>,
 }
@@ -106,8 +106,8 @@ impl<T: Scalar> FoldedBand<T> {
         }
     }
 
-    /// Solves the system. `write` gets a row of zeros and fills it, possibly twice for a row.
-    /// Returns `None` if an exact scalar has no nonzero pivot.
+    /// Solves the system. `write` gets a row's index and a row of zeros, which it fills; this may
+    /// happen twice for one row. Returns `None` if an exact scalar has no nonzero pivot.
     pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;

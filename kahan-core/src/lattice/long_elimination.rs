@@ -9,7 +9,7 @@ use super::folded::FoldedBand;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-/// The maximum number of unknowns, each of which needs some kilobytes.
+/// The maximum number of unknowns. Each unknown needs some kilobytes of memory.
 const MOST_UNKNOWNS: usize = 1 << 12;
 
 /// Computes x̃ over long numbers. `long` converts numbers of T to long numbers.

@@ -21,7 +21,7 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 /// `kahan!` block that gives the equations of one site by `for i in …`.
 ///
 /// With R = [`Sizes::reach`], the equations of site i get these arguments:
-/// - `constants`: the result of the method `constants`, with each number as an `L`;
+/// - `constants`: the result of the method `constants` for the scalar type L of the computation;
 /// - `x`: the states of the sites i − R … i + R, site by site, with interleaved arrays;
 /// - `c`: the per-site parameters of these sites, in this order;
 /// - `registers`: [`Sizes::registers`] numbers of scratch memory.
@@ -40,7 +40,7 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     #[doc(hidden)]
     const SITE_PARAMETERS: &'static [&'static str] = &[];
 
-    /// The names of the linear integrals. The list is empty for a family read at run time.
+    /// The names of the linear integrals. Empty if the family is only known at run time.
     const INTEGRALS: &'static [&'static str] = &[];
     /// The name of the Hamiltonian H, if the family is ẋ = K∇H with constant antisymmetric K.
     const HAMILTONIAN: Option<&'static str> = None;
@@ -110,8 +110,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         a: &mut [L],
     );
 
-    /// Calls [`rows`](Self::rows) for the next of the gathered sites, with P parameters per site
-    /// and C constants. The function must be inlined into a computation over lanes.
+    /// Calls [`rows`](Self::rows) in SIMD lanes for the next site of `sites`, with P parameters per
+    /// site and C constants. The function must be inlined into a computation over lanes.
     #[doc(hidden)]
     #[inline(always)]
     fn line<L: Lanes<T>, const B: usize, const P: usize, const C: usize, const SITES: usize>(

@@ -21,7 +21,7 @@ use super::{LatticeMap, LatticeScalar};
 pub(super) const REFINEMENTS: usize = 2;
 
 pub(super) struct PromiseCheck<T: LatticeScalar> {
-    /// The equations over numbers tried before those of `far`. `None` if a divisor may be 0.
+    /// The equations over `BoundedWorking`, which is tried first. `None` if a divisor may be 0.
     near: Option<BoundedRows<T::BoundedWorking>>,
     /// The equations over numbers of unlimited range. `None` if a divisor may be 0.
     far: Option<BoundedRows<T::BoundedWide>>,

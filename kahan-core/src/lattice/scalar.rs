@@ -28,7 +28,7 @@ pub trait LatticeScalar: Pivot + ChainArithmetic + Send + Sync {
 
 /// For each scalar of chains, the number types that solve a step and bound its error.
 pub(super) trait ChainArithmetic: Sized {
-    /// The numbers with error bounds that compute a residual first, faster than `BoundedWide`.
+    /// The numbers that first compute a residual and its error bound, faster than `BoundedWide`.
     type BoundedWorking: BoundedScalar<Self>;
 
     type Parts: PartSolver<Self>;

@@ -34,8 +34,8 @@ pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// Returns J(x)·v, where J is the map's Jacobian and `y` is the next state x̃. Returns `None`
     /// at a pole of an exact scalar.
     ///
-    /// If every zero of det A is a pole, generated code solves A(x,ε)·(ṽ − v) = 2εf′((x + x̃)/2)·v
-    /// for ṽ = J(x)·v. Otherwise the step is differentiated, and `y` is unused.
+    /// If every zero of det A is a pole, generated code solves A·(ṽ − v) = 2εf′((x + x̃)/2)·v with
+    /// A = I − εf′(x) for ṽ = J(x)·v. Otherwise the step is differentiated, and `y` is unused.
     #[doc(hidden)]
     #[inline(always)]
     fn carry_tangent(

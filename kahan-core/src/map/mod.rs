@@ -202,8 +202,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.try_prepared(&self.prepare(&eps), x, &eps)
     }
 
-    /// Runs a prepared step for [`try_step`](Self::try_step). Handwritten maps use this default;
-    /// the macro overrides it by `stable_step`.
+    /// Runs a prepared step for [`try_step`](Self::try_step). This default serves handwritten maps.
+    /// For other maps, the macro generates a step with an error bound instead.
     #[doc(hidden)]
     fn try_prepared(
         &self,
@@ -256,8 +256,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
     }
 
-    /// Returns the reduced numerators and denominator without division, up to a common constant
-    /// factor.
+    /// Returns numerators and denominator of x̃ as a reduced fraction, without a division. They may
+    /// share a constant factor.
     #[doc(hidden)]
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         self.rational_map(x, eps)

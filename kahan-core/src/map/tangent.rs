@@ -1,6 +1,6 @@
 //! Derivatives of one or more steps along a direction v: J(x)·v with the Jacobian J = ∂x̃/∂x.
 //!
-//! Products are never fused, and therefore all builds give equal bits.
+//! Products are never fused with sums, and therefore all builds give equal bits.
 
 use core::array::from_fn;
 

@@ -40,7 +40,7 @@ impl<T: Copy, const N: usize> Grouped<T> for [Group<T>; N] {
     }
 }
 
-/// Tangent vectors that are propagated in SIMD lanes, for all trajectories of a group.
+/// Tangent vectors of a group's trajectories, one trajectory per SIMD lane.
 #[derive(Debug)]
 pub struct SideBySide<'a, T, P> {
     /// The consecutive points of the group.

@@ -66,7 +66,7 @@ pub(super) fn state_from_entries<M: TangentMap>(map: &M, entry: impl Fn(usize) -
     vector
 }
 
-/// Propagates vectors from `x` to `next` in pairs, for which compilers compute common terms once.
+/// Propagates vectors from `x` to `next` in pairs; compilers compute a pair's common terms once.
 #[inline(always)]
 pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     map: &M,
@@ -218,8 +218,8 @@ fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
     I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
 }
 
-/// Propagates the vectors of a group in lanes, until a vector must be scaled. Returns the number of
-/// steps, or `None` if no steps remain or the maps have no lanes.
+/// Propagates the tangent vectors of a group in lanes, until one of them must be scaled. Returns
+/// the number of steps, or `None` if no steps remain or the maps cannot run in lanes.
 #[cfg(feature = "std")]
 fn follow_side_by_side<I, M, T, P, const K: usize>(
     group: &mut Observers<'_, IndicatorObserver<I, M, K>>,
@@ -236,7 +236,7 @@ where
     if places.len() < 2 {
         return None;
     }
-    // Unused lanes get vectors that need no scaling, and therefore never stop other lanes.
+    // Unused lanes get vectors of ones, which need no scaling and therefore stop no other lane.
     let mut ones = places.first()?.clone();
     ones.as_mut().fill([T::one(); GROUP]);
     let mut vectors: [P; K] = from_fn(|_| ones.clone());

@@ -26,9 +26,8 @@ pub struct Growth {
 pub struct Exponent {
     /// The mean growth rate, NaN without a step.
     pub value: f64,
-    /// An estimate of the error, not a bound: the distance of `value` from the mean rate up to an
-    /// earlier step. This step lies between an eighth and a quarter of the run. The estimate is NaN
-    /// before step 4.
+    /// The distance of `value` from the mean rate after k of n steps, where n/8 < k ≤ n/4. The
+    /// distance estimates the error, and is no bound. NaN for n < 4.
     pub error: f64,
 }
 

@@ -21,7 +21,7 @@ pub type Megno<M> = IndicatorObserver<MeanGrowth, M, 1>;
 #[derive(Clone, Debug, Default)]
 pub struct MeanGrowth {
     first: f64,
-    /// The sum of log(|vₖ|/|v₀|) over the tangent vectors vₖ before the last step.
+    /// The sum of log(|vₖ|/|v₀|) over the tangent vectors vₖ after k = 0, …, n − 1 of n steps.
     before: f64,
     last: f64,
     sum: f64,

@@ -45,7 +45,7 @@ pub struct Rotation<F, T> {
     /// For both coordinates, the reciprocal of half the range.
     units: [f64; 2],
     last: [f64; 2],
-    /// The angle between the first two points, in revolutions.
+    /// The angle from the first point to the second, as seen from `middle`, in revolutions.
     first: f64,
     whole: Mean,
     half: Mean,
@@ -65,7 +65,7 @@ pub struct RotationNumber {
 
 impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Rotation<F, T> {
     /// Creates an observer of the rotation around the origin of `plane` over `steps` steps. Later
-    /// points are ignored. A shorter run converges slowly, because its weights do not reach 0.
+    /// points are ignored. Shorter runs converge slowly: the weights of the mean do not fall to 0.
     pub fn of(steps: u64, plane: F) -> Self {
         let unit = Extremes { least: T::zero() - T::one(), greatest: T::one() };
         Self::between(steps, plane, [unit.clone(), unit])

@@ -63,7 +63,7 @@ pub struct Section<M: Step, F, S> {
 pub struct SectionReport<R> {
     /// The report of the [`CrossingReceiver`] that received the crossings.
     pub points: R,
-    /// The number of sign changes that are jumps and not crossings.
+    /// The number of sign changes at which the section's function jumps, for example at a pole.
     pub jumps: u64,
 }
 
@@ -236,7 +236,7 @@ where
         let places = narrow(ends, |part| level(at(part).as_slice()));
         let size = |place: &ZeroBracket<T>| place.height.approximate().abs();
         let [one, other] = places;
-        // A zero at xₙ belongs to the previous step, with fraction 1. Here fraction 0 is avoided.
+        // A zero at the start belongs to the previous step; the fraction 0 is not chosen here.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
         let part = if is_one { one.part } else { other.part };
         let [point, beside] = if is_one { places } else { [other, one] }.map(|place| at(place.part));
@@ -250,7 +250,7 @@ where
 
 /// Returns whether `point`, which a fraction of a step reaches, is infinite or near a pole. Near a
 /// pole, some variable is much larger than at the `ends` of the step, and differs from its value at
-/// `beside`, an adjacent point.
+/// `beside`, the point at a neighbouring fraction.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
@@ -284,7 +284,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // A fraction of a step does not need the rounding errors that may follow coordinates.
+        // Only coordinates are copied, not the rounding errors that compensated states append.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 

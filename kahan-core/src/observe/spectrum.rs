@@ -36,7 +36,7 @@ struct GrowingVector<P> {
     vector: P,
     /// The squared length of the vector after the last orthogonalisation.
     squared: f64,
-    /// The factor by which the squared length has grown up to the last orthogonalisation.
+    /// The growth factor of the squared length from the start to the last orthogonalisation.
     growth: Size,
     doublings: Doublings,
 }

@@ -45,11 +45,11 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Returns det J(x), where J is the derivative of a step.
     fn det_jacobian(&self, x: &[Self::Scalar]) -> Self::Scalar;
 
-    /// Propagates the vectors of a group of trajectories in lanes, and writes squared lengths if
-    /// `work` has room for them.
+    /// Propagates the vectors of a group of trajectories in lanes. Writes squared lengths if `work`
+    /// has room for them.
     ///
-    /// Returns the number of steps taken, which is smaller if a vector needs scaling. Returns
-    /// `None` if the trajectories have different maps, or if the steps have no lanes.
+    /// Returns the number of steps taken. The propagation ends early if a vector needs scaling.
+    /// Returns `None` if the trajectories have different maps, or if the step cannot run in lanes.
     #[cfg(feature = "std")]
     #[doc(hidden)]
     fn push_forward_group<P: Grouped<Self::Scalar>>(

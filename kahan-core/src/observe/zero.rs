@@ -13,9 +13,9 @@ pub(super) struct ZeroBracket<T> {
 
 /// Returns u^⅓ for the unit roundoff u, which is 2⁻¹⁷ for `f64` and 2⁻⁸ for `f32`.
 ///
-/// Let m be the larger magnitude of a function at the ends of a step. Near a zero the function is
-/// at most this fraction of m, unless the step moves the point by less than u^⅔ of its size. Near a
-/// jump or a pole the function is larger.
+/// Let m be the larger magnitude of a function at the ends of a step. A sign change counts as a
+/// zero if the function there is at most this fraction of m; at a jump or a pole it is larger. A
+/// zero may be missed if the step moves the point by less than u^⅔ of its size.
 pub(super) fn small<T: FloatScalar>() -> f64 {
     libm::exp2(-f64::from(T::SHORT_BITS))
 }
@@ -24,7 +24,7 @@ const fn digits<T: FloatScalar>() -> u32 {
     3 * T::SHORT_BITS
 }
 
-/// Returns whether both values are at most [`small`] times the larger finite value of `ends`.
+/// Returns whether both |values| are at most [`small`] times the larger finite |value| of `ends`.
 pub(super) fn is_zero<T: FloatScalar>(places: [ZeroBracket<T>; 2], ends: [T; 2]) -> bool {
     let sizes = ends.map(|height| height.approximate().abs()).into_iter().filter(|size| size.is_finite());
     let most = small::<T>() * sizes.fold(0.0, f64::max);

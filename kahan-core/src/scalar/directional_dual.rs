@@ -21,7 +21,7 @@ impl<T: Scalar> DirectionalDual<T> {
         Self { value, slope: None }
     }
 
-    /// Creates a number. `fenced` keeps both parts in separate registers, which saves time.
+    /// Creates a number. `fenced` keeps compilers from packing both parts into one register.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }
@@ -70,7 +70,7 @@ fn product<T: Scalar>(a: DirectionalDual<T>, b: DirectionalDual<T>) -> Direction
     DirectionalDual::new(u * v, slope)
 }
 
-// (u/v)′ = (u′ − (u/v)v′)/v, where `over` divides by v.
+// (u/v)′ = (u′ − (u/v)v′)/v. The closure `over` divides a number by v.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn quotient<T: Scalar>(value: T, slopes: [Option<T>; 2], over: impl Fn(T) -> T) -> DirectionalDual<T> {
     let both = |a, b| over(a - value.clone() * b);

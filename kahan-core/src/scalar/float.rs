@@ -35,7 +35,7 @@ macro_rules! implement_for_float {
                 Some(1.0 / *self)
             }
 
-            /// Prefers the larger magnitude, which is more stable. A NaN is never better.
+            /// Prefers larger magnitudes, which keep elimination stable. A NaN is never better.
             #[inline]
             fn is_better_pivot(&self, than: &Self) -> bool {
                 self.abs() > than.abs()

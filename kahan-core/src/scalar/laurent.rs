@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(b - a.clone(), series(0, &[1]));
         let number = Laurent::Number(BigRational::from_integer(4.into()));
         assert_eq!(a.clone() + number.clone(), series(-2, &[1, 2, 7]));
-        // Adding a number does not change a series that is unknown from δ⁰ on.
+        // Adding a term at δ⁰ does not change this series, which is unknown from δ⁻¹ on.
         assert_eq!(series(-3, &[1, 2]) + number.clone(), series(-3, &[1, 2]));
         let nothing = a.clone() - a;
         assert_eq!(nothing, Series { start: 1, terms: vec![] });

@@ -10,8 +10,8 @@ use super::bounded::{Bounded, PackedDouble, PackedSingle};
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// Steps in `f64` with error bounds may divide by ε if |ε| is from 2⁻⁶⁴ to 2⁶⁴.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
-/// Plain `f64` steps may divide by ε if |ε| is from 2⁻⁸⁴ to 2⁶⁴. The lower limit is so small that a
-/// step at θε with 0 < θ < 1 usually divides by θε if the step at ε divides by ε.
+/// Plain `f64` steps may divide by ε if |ε| is from 2⁻⁸⁴ to 2⁶⁴. The lower limit is far below usual
+/// ε, so that a shorter step at θε with 0 < θ < 1 usually divides by θε, too.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 #[inline(always)]
@@ -75,8 +75,8 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// Returns a component of x̃. In `f32`, or if a step has `several` successive reciprocals, the
-/// component is [`fenced`], because packing components would slow an orbit down.
+/// Returns a component of x̃. It is [`fenced`] in `f32`, or if the step computes `several`
+/// reciprocals one after another, because packing components would slow an orbit down.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }

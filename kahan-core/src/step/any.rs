@@ -91,11 +91,12 @@ pub trait Step {
 
     /// Replaces `x` by the state after `steps` steps.
     ///
-    /// Each call creates a workspace. [`advance`](Self::advance) takes one from the caller instead.
+    /// Each call creates a workspace. [`advance`](Self::advance) gets one from the caller instead.
     ///
     /// # Errors
+    /// Returns the errors of [`advance`](Self::advance).
     /// # Panics
-    /// Returns and panics as [`advance`](Self::advance) does.
+    /// Panics as [`advance`](Self::advance) does.
     fn run(&self, x: &mut [Self::Scalar], steps: u64) -> Result<(), Stopped> {
         self.advance(x, steps, &mut Workspace::new())
     }
@@ -166,7 +167,7 @@ pub trait Step {
 /// The points of a map's orbits: states without the numbers that are stored beside the point.
 pub type PointOf<S> = <<S as Step>::State as StateVector<<S as Step>::Scalar>>::Point;
 
-/// Runs [`Step::advance`] with `next`, on a local state that compilers keep in registers.
+/// Takes `steps` steps by calls of `next`, on a local state that compilers keep in registers.
 #[inline(never)]
 pub(crate) fn advance_by<T: Scalar, V: StateVector<T>>(
     x: &mut [T],

@@ -19,8 +19,8 @@ impl StepCost {
         StepCost { operations, divisions, critical_path }
     }
 
-    /// Returns the cycles of a step: the larger of the latency `critical_path` and the time in
-    /// which the units are busy, half a cycle per operation and four cycles per division.
+    /// Returns the cycles of a step: the larger of the latency `critical_path` and the throughput
+    /// limit, half a cycle per operation plus four cycles per division.
     pub fn cycles(self) -> f64 {
         let work = f64::from(self.operations) / 2.0 + 4.0 * f64::from(self.divisions);
         work.max(f64::from(self.critical_path))

@@ -33,7 +33,7 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// cannot.
     const HAS_LANES: bool = false;
 
-    /// The step over another scalar, or [`NoLanes`] if lanes cannot run the step.
+    /// The step over the scalar `L` of SIMD lanes, or [`NoLanes`] if lanes cannot run it.
     type Wide<L: Scalar>: PreparedStep<L, N>;
 
     /// Returns the increment before its last multiplication, or `None` at a pole of an exact
@@ -74,8 +74,8 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
         panic!("a step that chooses has no lanes: step each state alone")
     }
 
-    /// Returns the step over `L` that runs one of W steps per lane. The function `pack` combines W
-    /// constants.
+    /// Returns a step over `L` whose lane k runs the k-th of W steps. The function `pack` combines
+    /// W constants into one `L`.
     ///
     /// # Panics
     /// If `HAS_LANES` is false.

@@ -76,13 +76,14 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     /// Returns the next state x̃ and its carry, from x and its carry c. A carry is the rounding
     /// error of a state on a compensated orbit.
     ///
-    /// Let b be the rounded sum x + c, and rest = c − (b − x) its error. With the increment n·r,
+    /// Let b be the rounded sum x + c, and rest = c − (b − x) its rounding error. With the
+    /// increment n·r,
     ///
     /// x̃ = t = b + n·r, carry = (n·r − (t − b)) + rest.
     ///
     /// If |n·r| ≤ |b| (Dekker 1971), only the rounding error of n·r is lost. Otherwise the rounding
-    /// error of t − b is lost, too. The critical path is that of a plain step, because the carry is
-    /// added while the step waits for its division.
+    /// error of t − b is lost, too. The latency is that of a plain step, because the carry is added
+    /// while the step waits for its division.
     #[inline(always)]
     pub fn added_with_carry(self, x: &SVector<T, N>, carry: &SVector<T, N>) -> [SVector<T, N>; 2] {
         let base: SVector<T, N> = vector(from_fn(|i| x[i].clone() + carry[i].clone()));

@@ -10,7 +10,7 @@ use super::{PreparedStep, Quotients, StepCost, StraightStep};
 /// A step with two forms. One form divides by ε, and is used for floats if ε is neither tiny nor
 /// huge. The other form, `general`, suits every scalar and every ε.
 ///
-/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, which saves a multiplication. The
+/// With h = 1/(2ε) prepared, a denominator 1 + 2εx becomes h + x, which saves a multiplication. The
 /// form that divides overflows sooner, and cannot run in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {

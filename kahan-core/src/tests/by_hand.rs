@@ -1,4 +1,4 @@
-//! Test systems. For most the macro makes a closed form, and one map is written by hand.
+//! Test systems. One has a handwritten map; for most of the others the macro makes a closed form.
 
 use nalgebra::{SMatrix, SVector};
 

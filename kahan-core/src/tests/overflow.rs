@@ -53,7 +53,7 @@ fn a_matrix_beyond_the_range_is_refused() {
 
 #[test]
 fn an_overflowing_pivot_is_refused() {
-    // The product εw overflows, and a division by it gives x̃₁ = x₁ instead of x₁ + 2.7e-10.
+    // With w = x[3], εw overflows. Dividing by it gives x̃₁ = x₁ instead of x₁ + 2.7e-10.
     let (x, eps) = (vector![1.0_f64, 1.0, 1.0, 1e10], 1e300);
     let fast = Coupled.step(&x, eps);
     assert!(fast.iter().all(|entry| entry.is_finite()) && fast[0] == 1.0);

@@ -65,7 +65,7 @@ fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>
 
 #[test]
 fn what_was_brought_to_one_point_comes_apart_again() {
-    // The point after the pole is rounded once, and the inverse orbit from there may lose ten bits.
+    // The inverse orbit of a rounded point may lose ten bits; the bound of 16 leaves a reserve.
     check_top(|x| x, |a, b| (a - b).amax() <= 65536.0 * f64::EPSILON);
     check_top(|x| x as f32, |a, b| (a - b).amax() <= 65536.0 * f32::EPSILON);
     #[cfg(feature = "exact")]

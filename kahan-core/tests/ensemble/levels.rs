@@ -49,7 +49,7 @@ where
     points
 }
 
-/// Compares a map on every instruction set with single steps over plain or fused floats.
+/// Compares a map on every instruction set with single steps, over fused floats if the set fuses.
 fn compare<F, M, W, const N: usize>(
     map: &KahanAt<M, F, N>,
     fused: &KahanAt<W, Fused<F>, N>,

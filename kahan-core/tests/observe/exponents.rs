@@ -44,8 +44,8 @@ fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     }
 }
 
-/// Each step multiplies vectors v by 2⁴⁰ or 2⁻⁴⁰. A shrinking vector is v plus an increment close
-/// to −v, a difference of which only 13 bits remain.
+/// Each step multiplies tangent vectors v by 2⁴⁰ or 2⁻⁴⁰, by adding an increment to v. If v
+/// shrinks, the increment is close to −v, and only 13 bits of the sum are correct.
 #[test]
 fn steep_growth_leaves_no_range() {
     let eps = 1.0 - 2_f64.powi(-39);

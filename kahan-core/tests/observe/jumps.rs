@@ -57,7 +57,7 @@ fn sign_changes<S: Step<Scalar = T>, T: FloatScalar>(
     [count(|before, after| before < 0.0 && after >= 0.0), count(|before, after| before > 0.0 && after <= 0.0)]
 }
 
-/// Checks that all sign changes in one direction are crossings, and in the other are jumps.
+/// Checks that sign changes in one direction are crossings, and those in the other are jumps.
 fn falls_through_infinity<S: Step<Scalar = T>, T: FloatScalar>(map: &S, start: S::State, is_mirrored: bool) {
     let [rising, falling] = sign_changes(map, start.clone(), 200, |x| x[0]);
     assert!(rising > 5 && falling > 5);
@@ -188,7 +188,7 @@ fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     }
 }
 
-/// Each step moves the point by a relative 10⁻⁹.
+/// Even if a step moves the point by only 2·10⁻⁹, a zero must count as a crossing, not as a jump.
 #[test]
 fn crossings_of_slow_orbits_are_found() {
     for eps in [1e-3_f64, 1e-6, 1e-9] {

@@ -41,7 +41,7 @@ fn crossings_are_those_of_a_plain_loop() {
             let beyond = HenonHeiles.step(before, middle * eps)[0].signum() != sign;
             if beyond { right = middle } else { left = middle }
         }
-        // Within the step x changes by at least 10⁻³, and rounding changes x by about 10⁻¹⁷.
+        // Here x changes by at least 10⁻³ per step, and by about 10⁻¹⁷ through rounding.
         assert!((part - right).abs() < 1e-12, "{part} {right}");
         assert_eq!(point, HenonHeiles.step(before, part * eps));
         assert_eq!(time, 2.0 * eps * (step as f64 + part));

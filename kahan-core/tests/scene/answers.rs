@@ -83,7 +83,7 @@ fn a_tolerance_below_the_roundings_of_every_scalar_is_out_of_reach() {
 fn a_solution_that_ends_before_the_horizon_is_lost_there() {
     let choose = |horizon| Scene::trajectory(horizon, 1e-6).choose(&Burst, &vector![1.0]);
     assert!(choose(0.75).is_ok());
-    // Kahan's map is exact here, and therefore all orbits step over the pole.
+    // Kahan's map is exact for this system. Therefore all orbits step over the pole and continue.
     for horizon in [1.25, 2.0, 3.1] {
         let Err(NoSetting::Lost { time }) = choose(horizon) else {
             panic!("1/(1 - t) has no value at t = 1")

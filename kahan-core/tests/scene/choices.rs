@@ -10,7 +10,7 @@ use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 /// The largest allowed ratio of the chosen cost to the smallest possible cost.
 const RATIO: f64 = 3.0;
 
-/// Checks that the choice meets each tolerance, and that settings of a third of its cost do not.
+/// Checks that each choice meets its tolerance, and that no setting at 1/`RATIO` of its cost does.
 fn check<M, const N: usize>(name: &str, map: M, x0: [f64; N], horizon: f64, steps: usize, tolerances: &[f64])
 where
     M: ExtendScalars<f64, N>,
@@ -20,7 +20,7 @@ where
     let doubt = reference.doubt(&Trajectory::new(&map, &x0, horizon, steps / 2));
     let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
     for &tolerance in tolerances {
-        // With order 8 and half the steps, the error is 2⁸ times that of the reference.
+        // With order 8 and half the steps, `doubt` is 2⁸ times the error of the reference.
         assert!(doubt < 0.1 * tolerance, "{name}: the reference is known to {doubt:e} only");
         let scene = Scene::trajectory(horizon, tolerance);
         let chosen = scene.choose(&map, &x0).unwrap_or_else(|why| panic!("{name}, {tolerance:e}: {why}"));
@@ -31,7 +31,7 @@ where
 
         for scheme in Scheme::all() {
             // At a fixed cost, a scheme is usually most accurate with the largest number of steps.
-            // Smaller numbers are tried, too, because a setting may be accurate by luck.
+            // Smaller numbers of steps are tried, too, because a setting may be accurate by chance.
             let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {
                 if steps < 1.0 {

@@ -1,8 +1,8 @@
 //! E4 of Hone and Petrera (Section 3; Table 1, i = 4). The flow has the integrals `H = x y` and
-//! `K = (x^2 + y^2 + z^2)/2`, and is `-P dK = -(1/c) Q dH`, where `c = 1`, and P and Q are the
-//! Lie-Poisson brackets of e(1,1) and so(3). The block claims H and K (Table 2), the density
-//! (Theorem 1), and two compatible brackets (Theorem 2), `P` of Table 3, and `Q` of Table 4 divided
-//! by c. In the coordinates x - y, x + y, z the system is the Euler top with a = (-1, -1, 1).
+//! `K = (x^2 + y^2 + z^2)/2`, and the field `-P dK = -(1/c) Q dH`, where `c = 1`, and P and Q are
+//! the Lie-Poisson brackets of e(1,1) and so(3). The block claims H and K (Table 2), the density
+//! (Theorem 1), and compatible brackets (Theorem 2): `P` of Table 3, and `Q` of Table 4 over c. In
+//! the coordinates x - y, x + y, z the system is the Euler top with a = (-1, -1, 1).
 
 mod flow;
 mod normal_form;

@@ -1,8 +1,8 @@
 //! E5 of Hone and Petrera (Section 3; Table 1, i = 5). The flow has the integrals
-//! `H = (x^2 + y^2)/2` and `K = x z + y^2`, and is `-P dK = -(1/c) Q dH`, where `c = -1`, and P and
-//! Q are the Lie-Poisson brackets of e(2) and sl(2,R). The block claims H and K (Table 2), the
-//! density (Theorem 1), and two compatible brackets (Theorem 2), `P` of Table 3, and `Q` of Table 4
-//! divided by c.
+//! `H = (x^2 + y^2)/2` and `K = x z + y^2`, and the field `-P dK = -(1/c) Q dH`, where `c = -1`,
+//! and P and Q are the Lie-Poisson brackets of e(2) and sl(2,R). The block claims H and K (Table
+//! 2), the density (Theorem 1), and compatible brackets (Theorem 2): `P` of Table 3, and `Q` of
+//! Table 4 over c.
 
 mod flow;
 mod solution;

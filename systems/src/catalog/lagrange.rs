@@ -1,15 +1,14 @@
-//! The Lagrange top in the body frame, with the angular momentum m and the direction p of gravity.
-//! With `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and
-//! `D1 = 1 + eps^2 d`, the map preserves m3 and
+//! The Lagrange top in the body frame, with the angular momentum m, the direction p of gravity, and
+//! the parameters al and g of the system below. With `d = al (al-1) m3^2 - g p3`,
+//! `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and `D1 = 1 + eps^2 d`, the map
+//! preserves m3 and
 //!
 //! - `H = m1^2 + m2^2 - 2 d - eps^2 |v|^2`,
 //! - `J = (w - m3 d)/D1`,
 //! - `C = (|v|^2 + d^2 + eps^2 J^2)/(1 + eps^2 (m1^2 + m2^2) + eps^2 (m3 + eps^2 J)^2)`.
 //!
-//! # Limit
-//!
-//! At eps = 0 the three integrals are functions of the energy, m·p, p·p and m3. The density is
-//! `1/(D1 F)`, where F is the denominator of C.
+//! The density is `1/(D1 F)`, where F is the denominator of C. At eps = 0 the integrals H, J and C
+//! are functions of the energy, m·p, p·p and m3.
 
 use kahan_core::prelude::*;
 
@@ -62,5 +61,5 @@ pub const ENTRY: Entry = Entry::new(
     ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
 ]);
 
-/// The source of an integral that was found in a longer form, and simplified by other integrals.
+/// The source of integrals found in a longer form, then simplified by means of the others.
 const FOUND_TIDIED: &str = "found by kahan discover, then simplified by the other integrals";

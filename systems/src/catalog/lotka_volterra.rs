@@ -2,7 +2,7 @@
 //! has the bracket `{x,y} = x y`, and the integral `log(x y) - (x + y)`, which is transcendental
 //! and not claimed. The map preserves the bracket and the area `dx dy/(x y)` for every eps. The map
 //! has a rational integral H only for eps = 1 and eps = -1. For other eps the logarithmic heights
-//! of orbits double in each step (Section 7). At eps = 1 the map is the recurrence
+//! of the points of an orbit double in each step (Section 7). At eps = 1 the map is the recurrence
 //! `x_{n+1} x_{n-1} = x_n (2 - x_n)`, and an orbit alternates between two conics (erratum B8).
 
 use kahan_core::prelude::*;

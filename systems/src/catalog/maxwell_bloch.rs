@@ -1,8 +1,8 @@
 //! The Maxwell-Bloch equations of light in a two-level medium, for real amplitudes and without
 //! losses. The variable x is the field, y the polarisation, and z the inversion. The flow has the
 //! integrals `x^2/2 + z` and `y^2 + z^2`, and is Hamiltonian in two ways (David and Holm, 1992).
-//! The map has deformations H and K of both integrals, a density rho, and two compatible brackets
-//! `{x,y} = rho^-1 I_z`, …, where `P` has I = H/2, and `Q` has I = K/2.
+//! The map has deformations H and K of both integrals, a density rho, and compatible brackets
+//! `{x,y} = I_z/rho`, `{y,z} = I_x/rho`, `{z,x} = I_y/rho`: `P` for I = H/2, `Q` for I = K/2.
 
 use kahan_core::prelude::*;
 

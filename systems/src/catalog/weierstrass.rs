@@ -1,7 +1,7 @@
 //! The Weierstrass equation x'' = 6 x^2 - a, solved by the elliptic function with g2 = 2 a. The
-//! flow is Hamiltonian: the field is `f = K grad(H/6)` with H at eps = 0, `K = [[0, 1], [-1, 0]]`.
-//! The map has the modified Hamiltonian H and the density 1/det A. Compositions of higher order
-//! preserve neither of them.
+//! flow is Hamiltonian: the field is `f = K grad(H0/6)`, where H0 is H at eps = 0 and
+//! `K = [[0, 1], [-1, 0]]`. The map has the modified Hamiltonian H and the density 1/det A.
+//! Compositions of higher order preserve neither of them.
 
 use kahan_core::prelude::*;
 

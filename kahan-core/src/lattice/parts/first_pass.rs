@@ -1,9 +1,9 @@
 //! The first pass, which eliminates the interiors of parts and leaves the Schur complements of the
-//! separators.
+//! separators between parts.
 //!
 //! Each lane holds one part. The result for a part is its largest multiplier and 2S rows of 2S + 1
-//! numbers, where S is the number of unknowns of a separator. The rows of the right separator come
-//! first.
+//! numbers, where S is the number of unknowns of a separator. The rows of the right separator
+//! precede those of the left.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -49,8 +49,8 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let FirstPass { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The columns stand for the last `LOWER` unknowns of the interior, the s unknowns of the
-        // right separator, the s unknowns of the left separator, and the right-hand side.
+        // The columns are the last LOWER interior unknowns (LOWER is the lower bandwidth), the
+        // right and the left separator with s unknowns each, and the right-hand side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(separators::size(s));
@@ -153,7 +153,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
 }
 
 /// The dense linear system that remains after the elimination of the band, followed by the largest
-/// multiplier of each lane. Only its first `first` columns are eliminated here.
+/// multiplier of each lane. The first pass eliminates only the system's first `first` columns.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

@@ -83,7 +83,7 @@ impl PartGroup {
     }
 
     /// Gathers the first `sites` sites of each part. Adjacent sites are `stride` registers apart.
-    /// `chain` begins with the first part.
+    /// The slice `chain` starts at the first site of the first part.
     pub(super) fn gather_inner<T: InLanes>(
         self,
         chain: &[T],

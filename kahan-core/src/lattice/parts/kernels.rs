@@ -15,7 +15,7 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::second_pass::SecondPass;
 
-/// Divides groups and `numbers` among threads. The numbers of a group start at `place(group)`.
+/// Divides groups among threads; a group's numbers start at `numbers[place(group)]`.
 pub(super) fn divide<T: Send>(
     scratch: &mut [Scratch<T>],
     groups: Range<usize>,
@@ -102,7 +102,7 @@ pub(super) fn batches(
     })
 }
 
-/// Returns whether `rows` rows of `numbers` register pairs fit into the 16 AVX2 registers.
+/// Returns whether `rows`·`numbers` numbers, two registers each, fit into 16 AVX2 registers.
 pub(super) const fn is_small(rows: usize, numbers: usize) -> bool {
     2 * rows * numbers <= 16
 }

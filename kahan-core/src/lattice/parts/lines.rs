@@ -36,7 +36,7 @@ pub struct Gathered<'a, T, L, const C: usize> {
     pub level: Level,
     /// The index of the next site among the gathered sites.
     pub site: usize,
-    /// The sites whose equations are already computed, for families read at run time.
+    /// For families read at run time: the sites whose equations have already been computed.
     pub computed: Range<usize>,
 }
 
@@ -90,8 +90,8 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // Entries left of the interior are in `left` only. In the band, their columns
-                // belong to the rows of the identity with which the window starts.
+                // Entries left of the interior are stored only in `left`. In the band, their
+                // columns belong to identity rows at the start of the window, and hold 0.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();

@@ -2,7 +2,7 @@
 //!
 //! The first pass eliminates the interiors of the parts, and reduces the rows of the separators
 //! between parts to a small banded system. The second pass computes the interiors from the solution
-//! of this system. A step is refused if an entry far exceeds a pivot, because digits would be lost.
+//! of this system. If an entry far exceeds a pivot, the chain is eliminated as a whole instead.
 
 mod buffer;
 mod first_pass;
@@ -39,7 +39,7 @@ pub(super) struct PartWorkspace<T> {
     partition: Partition,
     level: Level,
     scratch: Vec<Scratch<T>>,
-    /// For each part, the [`separators::size`] numbers that the first pass computes.
+    /// The results of the first pass, [`separators::size`] numbers for each part.
     joints: Vec<T>,
     /// The old states of the separators and of the remaining sites at the end of the chain.
     kept: Vec<T>,

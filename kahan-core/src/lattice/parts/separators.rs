@@ -68,8 +68,8 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
     gained.iter().all(T::is_finite_number).then_some(gained)
 }
 
-/// Adds row k of `joint`, the result for a part. `right` is the index of the part's right
-/// separator.
+/// Adds row k of `joint`, a part's result of the first pass, to `row`. `right` is the index of the
+/// part's right separator.
 fn add<T: Scalar>(row: &mut BandRow<'_, T>, joint: &[T], k: usize, right: usize, separator: usize) {
     let columns = 2 * separator + 1;
     let entries = &joint[k * columns..][..columns];

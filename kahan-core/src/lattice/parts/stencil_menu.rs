@@ -16,7 +16,7 @@ pub enum StencilMenu {}
 macro_rules! menu {
     ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
         impl StencilMenu {
-            /// Returns `sizes`, with the bandwidths of the first sufficient stencil if one exists.
+            /// Widens the bandwidths in `sizes` to those of the first sufficient stencil, if any.
             pub fn widened(sizes: Sizes) -> Sizes {
                 let Sizes { block, reach, lower, upper, .. } = sizes;
                 $(if (block, reach) == ($block, $reach) && lower <= $lower && upper <= $upper {

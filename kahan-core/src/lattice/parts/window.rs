@@ -20,7 +20,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
     }
 
-    /// In each lane, exchanges the rows if the first entry of `other` is larger in magnitude.
+    /// In each lane, exchanges `self` and `other` if the first |entry| of `other` is larger.
     #[inline(always)]
     fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where

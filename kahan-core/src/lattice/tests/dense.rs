@@ -23,7 +23,7 @@ fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DM
             moved[j] += by;
             DVector::from_vec(at.field(&moved))
         };
-        // The difference is over a length near the size of the state, so that few digits cancel.
+        // The offsets `by` and `-by` have about the size of x, so that few digits cancel.
         let by = x.iter().fold(1.0, |largest: f64, x| largest.max(x.abs())).log2().floor().exp2();
         let mut column = a.column_mut(j);
         column -= (field(by) - field(-by)) * (eps / (by + by));

@@ -63,8 +63,8 @@ where
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
-    /// Tries sparse elimination, then partial pivoting. The function `rest` computes residuals. If
-    /// these are too inaccurate, wide numbers compute the residuals.
+    /// Tries sparse elimination, then partial pivoting. The function `rest` computes the residual
+    /// of x̃. If the residual is too inaccurate, wide numbers compute it.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Residual<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
@@ -180,8 +180,8 @@ where
         [own, eliminated_determinant(&mut matrix)]
     }
 
-    /// Returns x̃ after iterative refinement if the backward error of x̃ is small enough. Lowers
-    /// `least` to the smallest error bound that was reached.
+    /// Refines x̃ iteratively, and returns it if its backward error is small enough. Lowers `least`
+    /// to the smallest error bound of all attempts.
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],
@@ -239,7 +239,8 @@ where
         let parameters: [Bounded<V>; P] = from_fn(|k| given(&self.step.parameters[k]));
         let x: [Bounded<V>; N] = from_fn(|i| given(&self.x[i]));
         let next: [Bounded<V>; N] = from_fn(|i| given(&next[i]));
-        // Below, the residual is ε·left − (x̃ − x), and the right-hand side b is x + ε·right.
+        // Let left = 2f(x) + f′(x)(x̃ − x) and right = 2f(x) − f′(x)x. Then the residual is ε·left
+        // − (x̃ − x), and the right-hand side is b = x + ε·right.
         let mut left = [Bounded::<V>::zero(); N];
         for (left, component) in left.iter_mut().zip(PostfixEvaluator::of(K::FIELD, &parameters, &x)) {
             *left = component + component;

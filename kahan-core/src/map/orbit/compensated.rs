@@ -1,4 +1,4 @@
-//! Compensated orbits of floats. Each step first adds the last rounding error to the point.
+//! Compensated orbits of floats. A step starts from the point plus its rounding error.
 
 use nalgebra::{ArrayStorage, SMatrix};
 
@@ -33,8 +33,9 @@ pub trait Increments: Step {
     /// Advances a point with its carry, the rounding error, by `steps` steps.
     ///
     /// # Errors
+    /// Returns the errors of [`Step::advance`].
     /// # Panics
-    /// See [`Step::advance`].
+    /// Panics as [`Step::advance`] does.
     #[inline]
     fn advance_with_carry(
         &self,

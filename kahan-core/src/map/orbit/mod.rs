@@ -42,9 +42,9 @@ pub use scaled::Scaled;
 /// # Forward and back
 /// The map with −ε is the inverse map. Hence n steps forward and n steps back return to x₀; over
 /// exact scalars they return exactly. Over floats each of the 2n steps rounds, and later steps
-/// propagate the errors. Let φ be the map, and let δₖ bound the rounding error of a step to xₖ. At
-/// ordinary points δₖ is 16 u ‖xₖ‖ with the rounding unit u. The final distance from x₀ in the
-/// maximum norm is at most
+/// propagate the errors. Let φ be the map, and let δₖ bound the rounding error of a forward or
+/// backward step that ends at xₖ. At ordinary points δₖ is 16 u ‖xₖ‖ with the rounding unit u. The
+/// final distance from x₀ in the maximum norm is at most
 ///
 ///   δ₀ + 2 (‖∂φ⁻¹(x₁)‖ δ₁ + ‖∂φ⁻²(x₂)‖ δ₂ + … + ‖∂φ⁻ⁿ(xₙ)‖ δₙ)
 ///

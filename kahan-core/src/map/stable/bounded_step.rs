@@ -61,8 +61,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment without a reciprocal counts as a product with the reciprocal 1. The loop
-        // avoids closures, because compilers would not inline them.
+        // An increment that is computed without a reciprocal counts as a product with the
+        // reciprocal 1. The loop avoids closures, because compilers would not inline them.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
@@ -83,15 +83,15 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
             } else {
-                // This product bounds every component, without loss if they share one reciprocal.
+                // This product bounds every error, and is sharp for a common reciprocal.
                 (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input,
         }
     }
 
-    /// Computes the step as the expanded, reduced fraction N/D, in which no increment can cancel
-    /// against the state.
+    /// Computes x̃ as a reduced fraction N/D of expanded polynomials. No increment is added to the
+    /// state, so that none can cancel.
     pub(super) fn by_reduced_map<M: KahanMap<Bounded<V>, N>>(
         map: &M,
         x: &SVector<Bounded<V>, N>,
@@ -114,8 +114,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
-        // If a component is NaN or overflows, the error is NaN or infinite, and the first
-        // comparison is false. The second line accepts an exact zero state.
+        // If a component is NaN or overflows, the error is NaN or infinite, and this comparison is
+        // false. The condition after `||` accepts an exact zero state.
         V::Magnitude::of((limit - V::UNIT) / V::UNIT) * largest > self.error
             || (largest.is_zero() && self.error.is_zero())
     }

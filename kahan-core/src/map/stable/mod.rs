@@ -74,8 +74,8 @@ fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: u
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::from_input(*eps)) {
-        // For some ε only plain steps may divide by ε. The test is here, because a test inside a
-        // step would make compilers keep the code of both formulas in every step.
+        // If ε is outside the range for divisions by ε, the general formula is used. The test is
+        // here, because a test inside a step would make compilers keep the code of both formulas.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)

@@ -174,7 +174,7 @@ fn eliminated<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
         *next = vector(rounded);
         return Some(Ok(()));
     }
-    // A known result is beyond the scalar's range if it does not round to a finite number.
+    // A component that is known but rounds to no finite number is beyond the scalar's range.
     let is_settled = LongNumber::are_settled(exact.iter().zip(rounded.iter().map(T::is_finite_number)));
     is_settled.then_some(Err(Reason::BeyondRange))
 }

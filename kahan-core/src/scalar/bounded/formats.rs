@@ -9,7 +9,7 @@ use super::number::{Number, Range};
 /// An `f32` operation that underflows errs by at most 2 to this power.
 const LOST_OF_SINGLES: i32 = -149;
 const LOST_OF_DOUBLES: i32 = -1074;
-// Underflow in its float operations changes an operation on pairs by at most 2 to this power.
+// 2 to this power bounds the effect of underflow within an operation on pairs of floats.
 const LOST_OF_PAIRS: i32 = -1070;
 
 /// The range in which `f32` bounds hold. With inputs beyond it, a step is computed in `f64`.

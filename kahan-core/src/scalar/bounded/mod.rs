@@ -29,10 +29,10 @@
 //!
 //! and γₖ·M ≤ 17/16·k·u·m if t = k·u is at most 1/25, because
 //!
-//! > γₖ/(1−u)ᵏ/t ≤ (eᵗ − 1)·eᵗ/t = 1 + 3t/2 + 7t²/6 + … ≤ 1.0620 at t = 1/25;
+//! > γₖ/(1−u)ᵏ/t ≤ (eᵗ − 1)·eᵗ/t = 1 + 3t/2 + 7t²/6 + … ≤ 1.0620 at t = 1/25.
 //!
-//! The remaining factor 1.0625/1.0620 covers the last two roundings of an error. Magnitudes of
-//! numbers wider than `f64` are rounded to 53 bits, which adds less than 2⁻²⁰ in total.
+//! The excess of 17/16 over 1.0620 covers the last two roundings of an error. Magnitudes of numbers
+//! wider than `f64` are rounded to 53 bits, which adds less than 2⁻²⁰ in total.
 //!
 //! In quotients v̂ replaces v. With q = â/b̂ and an error of b̂ of at most |b̂|/64, |v| ≤
 //! 64/63·(|q| + γ_kₐ·Mₐ/|b̂|), and
@@ -47,9 +47,9 @@
 //!
 //! # Underflow
 //! A product, quotient or literal that underflows has an error of at most η. The error of its
-//! magnitude m has the same bound. Let all inputs be at most 2ᴸ and all products of inputs at most
-//! 2ᴮ. Then these errors grow to at most w·2ᴮ·η, where w counts operations that may underflow. A
-//! sum has the larger w of its two terms, and adds 1 to B, which doubles the bound. A product or
+//! magnitude m has the same bound. Let w operations of a formula possibly underflow, all inputs be
+//! at most 2ᴸ, and all their products at most 2ᴮ. Then these errors grow to at most w·2ᴮ·η. A sum
+//! has the larger w of its two terms, and adds 1 to B, which doubles the bound. A product or
 //! quotient adds 1 to the w of both operands. Every error includes the [allowance](number::Range).
 //! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. A quotient divides an
 //! error at most by the square of the smallest allowed divisor. Dividing a constant by ε multiplies
@@ -88,7 +88,7 @@ pub(crate) type PackedSingle = UnpackedPair<f32>;
 /// (1+u)ᵏ − 1 and k·u for k roundings of unit u. Bounds of quotients contain the factor twice.
 pub(crate) const SLACK: f64 = 1.0625;
 
-/// A computed value with a bound of its error; see the module's head.
+/// A computed value with a bound of its error, as explained at the top of this file.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     pair: P,
@@ -96,7 +96,7 @@ pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     roundings: u32,
     /// The number of operations that may underflow; see "Underflow" in the module's head.
     underflows: u32,
-    /// The largest number of inputs in a product. The product's other factors are at most 2^`bits`.
+    /// The most inputs in a product of the formula, whose other factors are at most 2^`bits`.
     inputs: u32,
     bits: u32,
     /// An approximation of 1/|value|, for a quotient whose numerator is an integer constant.
@@ -116,7 +116,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Self { inputs: 1, ..Self::of(BoundedPair::new(value, value.size())) }
     }
 
-    /// Creates a literal. Each of its roundings may have been an underflow, and is counted as one.
+    /// Creates a literal that was rounded `roundings` times; each rounding may have underflowed.
     #[inline(always)]
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
@@ -140,8 +140,8 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         InputLimit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
-    /// Creates a value whose error is unknown. Because `bits` is the maximum, `largest_input`
-    /// allows no input. An infinite magnitude alone does not suffice, because 0·∞ = NaN.
+    /// Creates a value whose error is unknown. The maximal `bits` make `largest_input` allow no
+    /// input. An infinite magnitude alone would be lost in a product with 0: 0·∞ = NaN.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = BoundedPair::new(value, V::Magnitude::of(f64::INFINITY));
@@ -223,9 +223,9 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
     }
 }
 
-/// Returns a magnitude that covers underflow in a numerator with this count of roundings:
-/// multiplied by the [weight](Bounded::weight) of a reciprocal r̂, it is at least |r̂| times the
-/// allowance.
+/// Returns a number that is added to the magnitude of a numerator with this count of roundings, so
+/// that the bound covers underflow. Its product with the [weight](Bounded::weight) of a reciprocal
+/// r̂ is at least |r̂| times the allowance.
 #[inline(always)]
 pub(crate) fn underflow<V: Number>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))

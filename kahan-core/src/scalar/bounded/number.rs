@@ -57,7 +57,7 @@ impl Range {
     pub(crate) const UNLIMITED: Self =
         Self { allowance: 0.0, bits_of_products: u32::MAX, bits_of_divisors: 0, bits_of_steps: 0 };
 
-    /// Creates a range from the binary exponents of the largest underflow and of the allowance.
+    /// Creates a range. `eta` is the binary exponent of the largest error of an underflow.
     pub(crate) const fn of(eta: i32, allowance: i32, bits_of_divisors: u32, bits_of_steps: u32) -> Self {
         let bits_of_products = (allowance - eta - POWER_OF_UNDERFLOWS) as u32;
         Self { allowance: power_of_two(allowance), bits_of_products, bits_of_divisors, bits_of_steps }

@@ -50,10 +50,11 @@ pub(super) fn product(x: Dd, y: Dd) -> Dd {
 ///
 /// The lower parts are added as floats, in half the time of a product and a sum.
 ///
-/// Let p = |xy| and r = |xy + z|, where |z| ≤ p + r. In units of u², the additions of the lower
+/// Let p = |xy| and r = |xy + z|. Then |z| ≤ p + r. In units of u², the additions of the lower
 /// parts round by at most p + |z|, 2p + |z|, 3p + |z| and 3p + |z| + r. The omitted product
-/// x.low·y.low is at most p. Without fused multiply-adds, two products round by at most p each. If
-/// the leading parts cancel to less than the sum of the lower parts, the last sum is exact.
+/// x.low·y.low is at most p. Without fused multiply-adds, two products round by at most p each:
+/// 16p + 5r in all. If the leading parts cancel to less than the sum of the lower parts, the last
+/// sum is exact.
 #[inline(always)]
 pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
     let (leading, product_error) = two_product(x.high, y.high);

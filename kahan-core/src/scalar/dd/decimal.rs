@@ -49,7 +49,7 @@ impl Decimal {
         decimal
     }
 
-    /// Appends nineteen digits, without the leading zeros of the number.
+    /// Appends nineteen digits. Zeros before the first nonzero digit of the number are left out.
     fn push_chunk(&mut self, mut chunk: u64) {
         let mut power = CHUNK_BASE / 10;
         while power != 0 {
@@ -89,7 +89,7 @@ impl Decimal {
             return;
         }
         let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
-        // The last stored digit is not 0. Therefore digits after a dropped 5 exclude a tie.
+        // Digits after a dropped 5 exclude a tie, because the last stored digit is not 0.
         let has_rest = self.length > count + 1 || self.is_cut;
         let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
         self.length = count;

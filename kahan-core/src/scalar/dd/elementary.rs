@@ -19,7 +19,7 @@ const HALF_PI: [f64; 2] = [FRAC_PI_2, 6.123233995736766e-17];
 const REST_OF_HALF_PI: Dd = Dd { high: -1.4973849048591698e-33, low: 5.562271104316826e-50 };
 
 /// Returns 1 + z/(n + 1)·(1 + z/(n + 2)·(1 + …)), where n is `first` and the last divisor is
-/// `last`. With `step` 2, each divisor is the product of the next two numbers.
+/// `last`. With `step` 2, the divisors are (n + 1)(n + 2), (n + 3)(n + 4), ….
 fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
     let one = Dd::from(1.0);
     (first..last).step_by(step).rev().fold(one, |sum, n| {
@@ -65,10 +65,10 @@ pub(super) fn ln(x: Dd) -> Dd {
 /// Returns sin x and cos x, each with a relative error of at most 16u² plus 2⁻¹⁵⁵|x|. The results
 /// are NaN for |x| > 2⁴⁰.
 ///
-/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|, plus 6u² times the second part
-/// of k·π/2 if the subtraction cancels. The last sum rounds by 3u². The other terms of the sine
-/// have the relative error 38u², and are at most 0.12 of the value. The other terms of the cosine
-/// have the relative error 18u², and are at most 0.42 of the value.
+/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|, plus 6u² times the second
+/// summand of k·π/2 if the subtraction cancels. The last sum rounds by 3u². The other terms of the
+/// sine have the relative error 38u², and are at most 0.12 of the value. The other terms of the
+/// cosine have the relative error 18u², and are at most 0.42 of the value.
 pub(super) fn sin_cos(x: Dd) -> (Dd, Dd) {
     if x.is_nan() || x.high.abs() > power_of_two(40) {
         return (Dd::from(f64::NAN), Dd::from(f64::NAN));

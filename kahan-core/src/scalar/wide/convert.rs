@@ -61,7 +61,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     }
 
     pub(crate) fn to_f32(self) -> f32 {
-        // The lower half of the result contains the bits of the format.
         let magnitude = f32::from_bits(self.encode(&SINGLE) as u32);
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
@@ -105,8 +104,8 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
-    /// Returns n and e with |numerator| ≈ n·2^e, where n has at least 64 bits. Rounding n to fewer
-    /// bits gives the correctly rounded numerator.
+    /// Returns n and e with |numerator| ≈ n·2^e and n ≥ 2⁶³. If this is inexact, n is odd, so that
+    /// rounding n to fewer bits rounds the numerator correctly.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

@@ -109,10 +109,10 @@ impl LongNumber {
         self.0.as_ref().map_or_else(Wide::zero, Number::digits)
     }
 
-    /// Returns whether the exact value differs from `rounded` by at most relative·|rounded|.
+    /// Returns whether |exact value − rounded| ≤ relative·|rounded|.
     ///
-    /// If this holds for all components of x̃, then |A·x̃ − b| ≤ relative·(|A|·|x̃|) in every row
-    /// of A·x̃ = b.
+    /// If this holds for every component of x̃, each row of A·x̃ = b satisfies |A·x̃ − b| ≤
+    /// relative·(|A|·|x̃|).
     pub(crate) fn is_within(&self, relative: f64, rounded: Wide) -> bool {
         let off = self.leading() - rounded;
         off.size() + off.radius() <= rounded.size() * Size::from(relative)
@@ -160,8 +160,8 @@ impl LongNumber {
     }
 }
 
-/// Scales a row of a linear system by a power of two. The largest entry of a column is then a good
-/// pivot.
+/// Scales a row of a linear system by a power of two. If all rows are scaled, the largest entry of
+/// a column is a good pivot.
 pub(crate) fn equilibrate_row<'a>(row: impl Iterator<Item = &'a mut LongNumber>, right: &mut LongNumber) {
     let mut row: std::vec::Vec<_> = row.collect();
     let largest = row.iter().filter(|entry| entry.0.is_some()).map(|entry| entry.at_most());

@@ -215,7 +215,7 @@ impl<const M: usize> DigitRow<M> {
     }
 
     /// Returns q and r with self = q·divisor + r exactly, for a nonzero divisor. The quotient
-    /// r/divisor is smaller than the last digit of q that a number can store.
+    /// r/divisor is smaller than one unit of the last digit of q that `Digits` stores.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {
@@ -245,7 +245,7 @@ impl<const M: usize> DigitRow<M> {
     }
 }
 
-/// Returns m and e with m·2^e ≈ digit·2^(64·place) + below·2^(64·(place − 1)).
+/// Returns m and e with m·2^e ≈ (digit + below·2⁻⁶⁴)·2^(64·place), where `below` is the next digit.
 pub(super) fn leading(place: i64, digit: i64, below: i64) -> (f64, i64) {
     (digit as f64 + below as f64 * f64::from_bits((1023 - 64) << 52), 64 * place)
 }

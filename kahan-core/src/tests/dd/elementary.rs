@@ -109,7 +109,7 @@ fn exponentials_are_within_their_bound() {
 #[test]
 fn logarithms_are_within_their_bound() {
     for x in arguments(8, 0.5).into_iter().map(Dd::abs).filter(|x| x.high() > 0.0) {
-        // If e to the power of y is x(1 + δ), the error of y is δ(1 − δ/2 + …).
+        // If the computed y satisfies e^y = x(1 + δ), its error is ln(1 + δ) = δ(1 − δ/2 + …).
         let y = x.ln();
         let (power, x_fixed) = (exp(&fixed(y)), fixed(x));
         let error = (((power - &x_fixed) << BITS) / x_fixed).abs();

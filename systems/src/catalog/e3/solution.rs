@@ -49,8 +49,8 @@ impl<T: Real> Solution<T> {
         let eps = *eps;
         Ok(if inner.is_positive() {
             Self {
-                // With r² = x² + y² and R² = r² + z², sinh²δ = ε²R²/(1 − ε²z²) and sinh²κ = z²(1 +
-                // ε²r²)/(r²(1 − ε²z²)).
+                // With r² = x² + y², R² = r² + z² and w = 1 − ε²z²: sinh²δ = ε²R²/w, sinh²κ =
+                // z²(1 + ε²r²)/(r²w).
                 delta: (eps * norm / width).asinh(),
                 kappa: (z * stretched / (radius * width)).asinh(),
                 theta: y.atan2(&x),

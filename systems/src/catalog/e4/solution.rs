@@ -9,18 +9,18 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 /// An orbit of the map of E4 (Hone and Petrera, Theorem 3, i = 4). With v = 2δn + κ, the modulus k,
 /// s = x + y and d = x − y, the point after n steps is
 ///
-/// * on the inner branch, |εz| < 1: s = (sn δ/cn δ) dn v/ε, d = k (sn δ/dn δ) cn v/ε, z = k sn δ sn
-///   v/ε;
+/// * on the inner branch, |εz| < 1: s = sn δ dn v/(ε cn δ), d = k sn δ cn v/(ε dn δ), z = k sn δ
+///   sn v/ε;
 /// * on the outer branch, |εz| > 1 (not in the paper): s = (−1)ⁿ cn v/(ε dn δ sn v), d = (−1)ⁿ dn
 ///   v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
 ///
 /// The map's symmetries, which change signs of x and y or map (x, y, z) to (y, x, −z), give the
-/// other orbits. The formula has xy > 0 on the inner branch, and xy < 0 on the outer branch. If
-/// xy = 0, k is 1 and the functions are hyperbolic. Only orbits with a fixed point (0, 0, z) or a
+/// other orbits. The formula has xy > 0 on the inner branch, and xy < 0 on the outer branch. If xy
+/// = 0, k is 1 and the functions are hyperbolic. Orbits that contain a fixed point (0, 0, z) or a
 /// point with |εz| = 1 are excluded.
 ///
-/// In `f64` the error is at most 6 ulp of the point's norm, multiplied by the condition (1 + |v|)
-/// max(1, |ε| norm). On the inner branch with xy > 0, the integrals are
+/// In `f64` the error is at most 6 ulp of the point's norm, multiplied by the condition number (1 +
+/// |v|) max(1, |ε|r), where r is this norm. On the inner branch with xy > 0, the integrals are
 ///
 /// Ĥ = (1 − k²) sn² δ/(2ε²[2 − (1 + k²) sn² δ]), K̂ = (1/ε²)(1/2 − cn² δ dn² δ/(cn² δ + dn² δ)).
 #[derive(Clone, Debug, PartialEq)]
@@ -91,8 +91,7 @@ impl<T: Real> Solution<T> {
             cn: over(width, narrow).abs(),
             dn: over(width, wide).abs(),
         };
-        // sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)) and cn κ = ε s dn δ sn κ for s = x +
-        // y.
+        // With s = x + y: sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)), cn κ = ε s dn δ sn κ.
         let sn = (wide / sum).sqrt() / form.height;
         let cn = *eps * form.sum * advance.dn * sn;
         let kappa = modulus.inverse(&sn, &cn);

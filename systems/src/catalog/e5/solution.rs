@@ -27,7 +27,7 @@ pub struct Solution<T> {
     pub kappa: T,
     /// The constant μ, which determines the integral K̂.
     pub mu: T,
-    /// The sign s = ±1, which on the inner branch is the sign of x. Theorem 3 has s = 1.
+    /// The sign s: that of x on the inner, of εx sinh κ on the outer branch. Theorem 3 has s = 1.
     pub sign: T,
     /// The branch: inner if |εy| < 1, outer if |εy| > 1.
     pub branch: Branch,
@@ -57,7 +57,7 @@ impl<T: Real> Solution<T> {
             let mu = sign * (z - x) * cosine / (cosine.square() + sine_delta.square());
             Self { delta: sine_delta.asinh(), kappa, mu, sign, branch: Branch::Inner, eps }
         } else {
-            // sinh²δ = (1 + ε²x²)/w, cosh²δ = ε²(x² + y²)/w, sinh²κ = (x² + y²)/(x²w), w = ε²y² − 1
+            // w = ε²y² − 1: sinh²δ = (1 + ε²x²)/w, cosh²δ = ε²(x² + y²)/w, sinh²κ = (x² + y²)/(x²w)
             let cosine_delta_square = (eps * norm / width).square();
             let sine_kappa = -(y.sign() * norm / (x.abs() * width));
             let sign = (x * eps * sine_kappa).sign();

@@ -41,9 +41,9 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
 ///
 /// ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). Terms up to N + j ≈ 22 + 4ξ are summed (78 + 4ξ for
-/// [`Float256`](crate::special::Float256)). An asymptotic expansion sums the other terms in full
-/// precision. For x < 0, about 1/(2ε|x|) terms are summed. Fails if ξ ≤ 0, where the series
+/// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). Terms up to N + j ≈ 22 + 4ξ are summed in `f64`, and up
+/// to 78 + 4ξ in [`Float256`](crate::special::Float256). An asymptotic expansion gives the sum of
+/// the other terms. For x < 0, about 1/(2ε|x|) terms are summed. Fails if ξ ≤ 0, where the series
 /// diverges, or if εx = 0.
 pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
@@ -70,7 +70,7 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
 ///
 ///   {x,y} = 0, {z,x} = x(1 − ε²x²), {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1].
 ///
-/// For ξ = 1 and −1 the matrix is minus the bracket `P` in the blocks of E1 and E2.
+/// For ξ = 1 the matrix is −`P` of the block of E1, and for ξ = −1 −`P` of that of E2.
 pub fn bracket_of_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> SMatrix<T, 3, 3> {
     let [x, y, _] = (*point).into();
     let scaled = *eps * x;

@@ -6,15 +6,16 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, shift_and_divisor, square_less_one};
 use crate::special::{Real, centered_gamma_ratio};
 
-/// An orbit of the map of E7 (Hone and Petrera, Section 6.1). With N = n + τ, β = 2εy₀, γ = 2εz₀,
-/// g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2), G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2), M = j + τ and W_n = Σ_{0≤j<n} (2(M+1)−ξ)
-/// Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²), the point after n steps is
+/// An orbit of the map of E7 (Hone and Petrera, Section 6.1). The point after n steps is
 ///
 ///   x = 1/(2εN), y = τβ g_n G₀/(2εN),
-///   z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN).
+///   z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN),
 ///
-/// In `f64` the error is at most 16(1 + |n|) ulp of the point's norm, multiplied by max(1, |ε|
-/// norm). The integrals are [`integral_h`](super::integral_h) and
+/// where N = n + τ, β = 2εy₀, γ = 2εz₀, g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2), G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2), and
+/// W_n = Σ_{0≤j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²) with M = j + τ.
+///
+/// In `f64` the error is at most 16(1 + |n|) ulp of the point's norm, multiplied by max(1, |ε|r),
+/// where r is this norm. The integrals are [`integral_h`](super::integral_h) and
 /// [`integral_k`](super::integral_k). [`Recurrence`](super::Recurrence) computes orbits without Γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
@@ -52,7 +53,7 @@ impl<T: Real> Solution<T> {
         vector![x, y, x * square_less_one(shifted) * (first + second)]
     }
 
-    /// Returns Y/Y₀ for Y = y/x and its value Y₀ at n = 0, as a product of two ratios of Γ.
+    /// Returns the quotient of y/x after n steps and y/x at n = 0. `shifted` is N = n + τ.
     fn gamma_quotient(&self, shifted: &T) -> T {
         let sigma = (self.xi - T::one()) * T::half();
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)

@@ -27,7 +27,7 @@ pub struct Solution<T> {
     pub gamma: T,
 }
 
-/// The greatest |n| for which a sum replaces the difference of two ψ, which cancels for small n.
+/// Up to this |n|, a sum replaces the difference of two values of ψ, in which digits would cancel.
 const SUMMED: i64 = 256;
 
 impl<T: Real> Solution<T> {

@@ -96,7 +96,7 @@ impl<T: Real> Quadrature<T> {
     /// Returns the period of a closed trajectory, or `None` for ξ > 0.
     pub fn period(&self) -> Option<T> {
         let smallest = self.smallest.as_ref()?;
-        // Each half is integrated from its own turning point, far from the other singularity.
+        // Each half starts at its turning point, far from the singularity at the other one.
         let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))

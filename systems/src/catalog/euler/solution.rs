@@ -9,8 +9,8 @@ use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
 /// The linear change of variables from an Euler top to E4, which permutes and scales the axes. With
-/// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cᵢ² = rⱼrₖ, which is
-/// positive if all rᵢ have one sign. The third axis is the one whose α differs in sign.
+/// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cᵢ² = rⱼrₖ for {i, j,
+/// k} = {1, 2, 3}. The axis whose α differs in sign becomes the third; then all rᵢ have one sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
     /// The axes of the top that become the first, second and third coordinate of E4.

@@ -8,7 +8,7 @@ use super::machine;
 
 #[inline(always)]
 pub(super) fn doubles_by_four(rows: Square<f64>) -> Square<f64> {
-    // Each pointer is valid for the four numbers of its row.
+    // SAFETY: Each pointer is valid for the four numbers of its row.
     let [a, b, c, d] = machine!([
         _mm256_loadu_pd(rows[0].as_ptr()),
         _mm256_loadu_pd(rows[1].as_ptr()),
@@ -25,7 +25,7 @@ pub(super) fn doubles_by_four(rows: Square<f64>) -> Square<f64> {
     ];
     let mut square = [[0.0; 4]; 4];
     for k in 0..4 {
-        // Each pointer is valid for the four numbers of its row.
+        // SAFETY: Each pointer is valid for the four numbers of its row.
         machine!(_mm256_storeu_pd(square[k].as_mut_ptr(), columns[k]));
     }
     square
@@ -35,7 +35,7 @@ pub(super) fn doubles_by_four(rows: Square<f64>) -> Square<f64> {
 pub(super) fn doubles_by_two(rows: Square<f64>) -> Square<f64> {
     let mut square = [[0.0; 4]; 4];
     for (r, k) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
-        // Each pointer is valid for two numbers, because r and k are at most 2.
+        // SAFETY: Each pointer is valid for two numbers, because r and k are at most 2.
         let (a, b) = machine!((_mm_loadu_pd(rows[r][k..].as_ptr()), _mm_loadu_pd(rows[r + 1][k..].as_ptr())));
         machine!(_mm_storeu_pd(square[k][r..].as_mut_ptr(), _mm_unpacklo_pd(a, b)));
         machine!(_mm_storeu_pd(square[k + 1][r..].as_mut_ptr(), _mm_unpackhi_pd(a, b)));
@@ -45,7 +45,7 @@ pub(super) fn doubles_by_two(rows: Square<f64>) -> Square<f64> {
 
 #[inline(always)]
 pub(super) fn singles(rows: Square<f32>) -> Square<f32> {
-    // Each pointer is valid for the four numbers of its row.
+    // SAFETY: Each pointer is valid for the four numbers of its row.
     let [a, b, c, d] = machine!([
         _mm_loadu_ps(rows[0].as_ptr()),
         _mm_loadu_ps(rows[1].as_ptr()),

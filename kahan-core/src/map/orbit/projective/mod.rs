@@ -47,7 +47,7 @@ enum OrbitPosition<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     First(SVector<T, N>),
     Point {
         x: SVector<T, N>,
-        /// Whether |εf′| is known to be small at the point x.
+        /// Whether the absolute values in every row of εf′(x) are known to sum to at most ½.
         is_flat: bool,
     },
     Passage(Box<Passage<M, T, N>>),
@@ -139,7 +139,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         match self.begin(x) {
             Ok(point) => Some(point),
             Err(NoLimit::Ambiguous) => self.stop(Reason::Indeterminate),
-            // If the ordinary step is finite, the orbit continues with it.
+            // Without a limit, the orbit continues with the ordinary step if that is finite.
             Err(NoLimit::Unknown) => match next.filter(|next| next.iter().all(T::is_finite_number)) {
                 Some(next) => Some(self.at_point(next)),
                 None => self.stop(Reason::Unfollowed),

@@ -254,6 +254,6 @@ fn units_are_those_of_the_operations() {
     let u = f64::EPSILON / 2.0;
     assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
     // A `Dd` quotient errs by at most 14u², and a product by 16u². A multiply-add counts as two
-    // roundings, and errs by 16u² in the product and by 5u² in the result.
+    // roundings; it errs by at most 16u² times the product plus 5u² times the result.
     assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

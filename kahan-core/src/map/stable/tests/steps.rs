@@ -124,7 +124,7 @@ where
             let Ok(exact) = &exact else { panic!("a value at a pole: {x:?}, {eps}") };
             let (error, size) = compared(&attempt.next, exact);
             let computed = attempt.next.iter().map(|next| f64::from(next.size())).fold(0.0, f64::max);
-            // The bound excludes the last roundings of product and sum.
+            // The bound excludes the roundings of the last product and of its sum with x.
             let own = 2.0 * Number24::UNIT * (computed + size);
             let bound = attempt.bound() * computed;
             assert!(error <= bound + own, "{error:e} beyond {bound:e} at {x:?}, {eps}");

@@ -101,8 +101,8 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
-/// Premises of the error bound that concern constants and operations, not inputs. Just beyond each
-/// premise, the true error exceeds the bound.
+/// Premises of the error bound on constants and operations. Each test shows that the true error
+/// exceeds the bound just beyond a premise.
 mod premises {
     use super::super::worst::{Beside, Worst, off_by, with_low_magnitudes};
     use super::TINY;
@@ -152,7 +152,7 @@ mod premises {
 
     #[test]
     fn no_more_operations_underflow_than_the_allowance_is_made_for() {
-        // Factors ½ do not enlarge a product; therefore only the number of operations matters.
+        // Factors ½ do not enlarge a product; only the number of operations is too large.
         let half = |roundings| Bounded::<Worst<FINEST>>::literal(Worst::of_float(0.5), roundings);
         let product = |count: u32, roundings: u32| {
             (0..count).fold(half(0), |product, _| product * half(roundings)).largest_input()
@@ -246,7 +246,7 @@ mod premises {
         }
     }
 
-    /// The allowance is 2¹⁰·2ᴮ·η, with products of at most 2ᴮ and one underflow error of at most η.
+    /// The allowance covers 2¹⁰ errors 2ᴮ·η, for products up to 2ᴮ and underflow errors up to η.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {

@@ -111,7 +111,7 @@ fn short_fractions_are_exact() {
         assert_eq!(p / q * whole(b * c), whole(-a * d));
         assert_eq!(p.is_better_pivot(&q), a * d > b * c);
     }
-    // If a common denominator exceeds 64 bits, the quotient is rounded to digits within its radius.
+    // If a common denominator exceeds 64 bits, the quotient's radius covers a rounding.
     let large = whole((1 << 61) - 1);
     let (p, q) = (whole(1) / large, whole(1) / whole((1 << 60) + 33));
     for (number, exact) in [(p + q, whole((1 << 61) - 1) + whole((1 << 60) + 33)), (p * q, whole(1))] {

@@ -32,11 +32,11 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN_BITS) { leading } else { entry }
 }
 
-/// Steps do not count as one-to-one if the inverse steps lose more bits than this.
+/// If inverse steps lose more bits, a passage through a pole does not count as one-to-one.
 const MAX_LOST_BITS: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// The number of attempts: one with δ = 0 for points near a pole, then two with δ > 0.
+    /// Attempts: one with δ = 0, for points near a pole; then two with δ > 0, each on other lines.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
