@@ -55,7 +55,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the step's precomputed constants, and the Jacobian, computed by the step in dual numbers.
+/// Emits `prepare`, which precomputes the step's constants, and `jacobian` by dual numbers.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {

@@ -21,7 +21,7 @@ use super::number::emit_constant;
 /// Values nested deeper than this get a `let`: deep expressions overflow the stack of rustc.
 const MAX_NESTING: usize = 24;
 
-/// The Rust code of a plan. The results must run in order: a binding's last use moves it.
+/// The Rust code of a plan. Results are evaluated in order: the last use of a binding moves it.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -50,7 +50,7 @@ impl Expression {
     }
 }
 
-/// Puts tokens into parentheses. With `quote!`, nested tokens would be copied at every level.
+/// Puts tokens into parentheses. Unlike `quote!`, this does not copy the tokens.
 fn parenthesised(tokens: TokenStream) -> TokenStream {
     TokenTree::from(Group::new(Delimiter::Parenthesis, tokens)).into()
 }
@@ -73,10 +73,10 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// For a kernel, which is code that returns `None` at a pole: the names of the constants that
-    /// it reads.
+    /// The names of the constants that a kernel reads; `None` outside kernels. A kernel is code
+    /// that returns `None` at a pole.
     constants: Option<&'a [String]>,
-    /// Whether each value with a `let` passes through a function that prevents auto-vectorisation.
+    /// Whether the value of each `let` passes through `fenced`, which keeps rustc from vectorising.
     has_fences: bool,
     /// For each value, the number of uses that are not yet written.
     uses: Vec<usize>,
@@ -92,7 +92,7 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step, which returns `None` at a pole, and reads the named `constants`.
+/// Emits the kernel of a step: code that reads `constants` and returns `None` at a pole.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,

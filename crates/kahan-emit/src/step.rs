@@ -87,7 +87,7 @@ impl<'a> NamedStep<'a> {
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();
         let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
-        // Each use of a shared reciprocal is an output of its own, so the last use needs no clone.
+        // Unless all results share one reciprocal, each use is an output, to save a clone.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {

@@ -39,8 +39,8 @@ impl fmt::Display for ExpansionTextError {
 
 impl Error for ExpansionTextError {}
 
-/// Returns the formatted expansion of `kahan! { block }`, inside a function if the block has no
-/// header.
+/// Returns the formatted expansion of `kahan! { block }`. If the expansion is an expression, it is
+/// put into a function.
 ///
 /// # Errors
 /// If the block does not consist of Rust tokens, or if the expansion is too long.

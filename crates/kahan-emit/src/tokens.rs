@@ -59,7 +59,7 @@ pub(crate) fn flatten(stream: TokenStream) -> FlatTokens {
     flat
 }
 
-/// Returns the brackets of a group. A captured `$e:expr` has no brackets, and gets parentheses.
+/// Returns a group's brackets; parentheses for a group without any, such as a captured `$e:expr`.
 fn brackets(group: &Group) -> (char, char) {
     match group.delimiter() {
         Delimiter::Parenthesis | Delimiter::None => ('(', ')'),

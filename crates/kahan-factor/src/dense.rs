@@ -7,7 +7,7 @@ use kahan_algebra::prime_field::PrimeField;
 pub type Dense = Vec<u64>;
 
 /// A sum of products is reduced modulo the prime when it reaches this size. Products are below
-/// 2^124, so no sum overflows.
+/// 2^124, so no sum overflows a `u128`.
 const REDUCE_AT: u128 = 1 << 127;
 
 /// Removes the zeros at the end of the vector.
@@ -19,8 +19,8 @@ pub fn trimmed(mut a: Dense) -> Dense {
     a
 }
 
-/// Adds the first `sums.len()` coefficients of a·b to `sums`. The sums are equal to the
-/// coefficients modulo the prime, but may be larger than it.
+/// Adds the first `sums.len()` coefficients of a·b to `sums`. The sums are right modulo the prime,
+/// but may exceed it.
 pub(super) fn add_product(field: PrimeField, sums: &mut [u128], a: &[u64], b: &[u64]) {
     for (shift, &left) in a.iter().enumerate().take(sums.len()) {
         for (sum, &right) in sums[shift..].iter_mut().zip(b) {

@@ -10,13 +10,13 @@ use num_traits::{One, Zero};
 use super::dense::{self, Dense};
 use super::univariate::Integers;
 
-/// Monic polynomials whose product is a given polynomial modulo `modulus`, up to a constant factor.
+/// Monic polynomials whose product, times a constant, equals a given polynomial modulo `modulus`.
 pub(super) struct HenselLift {
     pub(super) modulus: BigInt,
     pub(super) factors: Vec<Integers>,
 }
 
-/// Lifts monic, pairwise coprime factors of `whole` modulo p to a power of p above `bound`.
+/// Lifts monic factors of `whole`, pairwise coprime modulo p, to factors modulo some p^k > `bound`.
 pub(super) fn lift(
     field: PrimeField,
     factors: &[Dense],

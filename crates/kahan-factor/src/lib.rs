@@ -2,9 +2,9 @@
 //!
 //! Variables that divide all terms are divided out. All variables but one are set to numbers. The
 //! resulting univariate image is factored (`univariate`), and its factors are lifted to the other
-//! variables (`multivariate`, `sparse`, `series`). Divisions prove that factors are right.
-//! Irreducible images prove that factors are irreducible. Seeded random points affect the speed,
-//! and whether all factors are found. A budget of work ends the search.
+//! variables (`multivariate`, `sparse`, `series`). Dividing the polynomial by the lifted factors
+//! proves them right. A factor with an irreducible image is irreducible. Seeded random points
+//! affect the speed, and whether all factors are found. A budget limits the work.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -30,7 +30,7 @@ use kahan_algebra::rational::Rational;
 /// A polynomial, written as content · ∏ factor^exponent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Factors {
-    /// The rational factor with the sign. The polynomial 0 has content 0.
+    /// The rational factor, including the sign of the polynomial. The polynomial 0 has content 0.
     pub content: Rational,
     /// The factors and their exponents, sorted by degree, then by number of terms. Factors are
     /// pairwise coprime. Each factor has coprime integer coefficients and a positive leading
@@ -51,7 +51,7 @@ const SQUARE_FREE_WORK: u64 = 4_000_000;
 ///
 /// An irreducible polynomial costs one pass over its terms for each variable and one univariate
 /// factorisation. Products of factors with t terms in n variables cost about n·t lifts of bivariate
-/// polynomials. A budget of ten million lasts a few seconds at most.
+/// polynomials. Ten million units of work last a few seconds at most.
 pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
     if polynomial.is_zero() {
         return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
@@ -82,7 +82,7 @@ impl Factors {
 
 type Powers = Vec<(Polynomial, u32)>;
 
-/// Splits off powers of variables that divide the polynomial. The rest is divided by its content.
+/// Splits off the largest monomial that divides the polynomial. The rest becomes primitive.
 fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     let monomial = polynomial.monomial_content();
     let rest = polynomial.div_monomial(&monomial).expect("the monomial content divides");
@@ -104,7 +104,7 @@ fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Po
     Ok(Some(factors))
 }
 
-/// Chooses a variable of degree 1, or else of low degree with a short leading coefficient.
+/// Prefers variables of degree 1, then a low degree and a leading coefficient with few terms.
 fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     polynomial.variables().into_iter().min_by_key(|&variable| {
         let degree = polynomial.degree_in(variable);
@@ -112,8 +112,8 @@ fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     })
 }
 
-/// Splits off the factors without the variable `main`. Factors without `main` divide every
-/// coefficient, so only the shortest coefficient is factored.
+/// Splits off the factors without the variable `main`. They divide every coefficient of a power of
+/// `main`, so they are found among the factors of the shortest coefficient.
 fn content(
     polynomial: &Polynomial,
     main: Variable,

@@ -45,7 +45,7 @@ pub(super) fn by_degree(field: PrimeField, polynomial: &[u64]) -> Vec<EqualDegre
     parts
 }
 
-/// Returns the monic irreducible factors, of degree `part.degree`. The prime must be odd.
+/// Returns the monic irreducible factors of `part.product`. The prime must be odd.
 pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitMix64) -> Vec<Dense> {
     let mut factors = Vec::new();
     let mut waiting = vec![part.product];
@@ -55,8 +55,8 @@ pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitM
             continue;
         }
         let draw = dense::trimmed((1..product.len()).map(|_| field.sample(rng)).collect());
-        // Modulo each irreducible factor, `norm` is in the field with p elements. Its power (p −
-        // 1)/2 is 1 modulo about half of the factors, and −1 modulo the others.
+        // For random `draw`, `norm`^((p − 1)/2) is 1 modulo about half of the irreducible factors.
+        // The gcd with this power minus 1 splits them off.
         let (mut conjugate, mut norm) = (draw.clone(), draw);
         for _ in 1..part.degree {
             conjugate = dense::power(field, &conjugate, field.prime(), &product);

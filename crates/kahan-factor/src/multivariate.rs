@@ -151,8 +151,8 @@ impl Image {
         Ok(None)
     }
 
-    /// Tests `lead.whole`·∏ candidateᵢ^kᵢ = `whole`·∏ multiplierᵢ^kᵢ at one point modulo a prime,
-    /// where kᵢ is the exponent of factor i.
+    /// Tests whether `lead.whole`·∏ cᵢ^kᵢ = `whole`·∏ mᵢ^kᵢ at one point modulo a prime, where cᵢ
+    /// are the candidates, mᵢ the multipliers, and kᵢ the exponents of the factors.
     fn agrees_at_point(
         &self,
         whole: &Polynomial,
@@ -224,7 +224,7 @@ impl LeadingCoefficient {
         Ok(product)
     }
 
-    /// Divides out all factors of the leading coefficient, and returns the primitive part.
+    /// Removes factors of the leading coefficient from `polynomial`. Returns the primitive part.
     fn without_multiplier(
         &self,
         polynomial: Polynomial,

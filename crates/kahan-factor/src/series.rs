@@ -1,9 +1,9 @@
 //! Lifts factors at y = point to factors in x and y (Hensel's lemma).
 //!
 //! The lift works with monic polynomials in x whose coefficients are power series in t = y − point.
-//! At the end each factor is multiplied by a multiple of the true leading coefficient. The series
-//! then become polynomials (Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992,
-//! section 6.6). Powers of factors are lifted as a whole, and roots are taken at the end.
+//! At the end each monic factor is multiplied by a multiple of its true leading coefficient, so
+//! that the series become polynomials (Geddes, Czapor and Labahn, Algorithms for Computer Algebra,
+//! 1992, section 6.6). Powers of factors are lifted as a whole, and roots are taken at the end.
 
 use kahan_algebra::prime_field::PrimeField;
 
@@ -14,7 +14,7 @@ use super::dense::{self, Dense};
 pub(super) type BivariateCoefficients = Vec<Vec<u64>>;
 
 pub(super) struct LiftingProblem<'a> {
-    /// The polynomial to factor, times any polynomial in y. All rows have equal length.
+    /// The polynomial to factor, or its product with a polynomial in y. All rows have equal length.
     pub(super) whole: &'a BivariateCoefficients,
     pub(super) factors: &'a [(Dense, u32)],
     /// For each factor: a multiple of its leading coefficient, by powers of y. Each multiple has as
@@ -110,8 +110,8 @@ fn transposed(rows: &[Dense], columns: usize) -> BivariateCoefficients {
 
 /// Returns the monic polynomial in x whose k-th power is `power`, where k is `exponent`.
 ///
-/// For a root of degree d, let `power` be x^(kd)·Σ hₗ·x^(−l). The root is x^d·Σ rₘ·x^(−m) with m·rₘ
-/// = Σ_{l=1..m} (l/k − (m − l))·hₗ·r_{m−l} (Knuth, The Art of Computer Programming 4.7).
+/// For degree d, let `power` be x^(kd)·Σ hₗ·x^(−l) and the root x^d·Σ rₘ·x^(−m), with h₀ = r₀ = 1.
+/// Then m·rₘ = Σ_{l=1..m} (l/k − (m − l))·hₗ·r_{m−l} (Knuth, The Art of Computer Programming 4.7).
 fn root(
     field: PrimeField,
     power: BivariateCoefficients,

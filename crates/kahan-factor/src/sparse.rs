@@ -1,10 +1,10 @@
 //! Lifts factors modulo a large prime, one variable at a time.
 //!
 //! Each step adds one variable and sets the variables added earlier to several values. The factors
-//! are lifted at each value ([`series`](super::series)) and interpolated on their known monomials
-//! (Zippel, "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The values are powers
-//! of one point, so the linear systems have Vandermonde matrices (Monagan and Tuncer, CASC 2016;
-//! Chen and Monagan, CASC 2020). The final division detects missed monomials.
+//! are lifted at each value ([`series`](super::series)), and interpolated with the monomials that
+//! the previous step found (Zippel, "Probabilistic algorithms for sparse polynomials", EUROSAM
+//! 1979). The values are powers of one point, so the linear systems have Vandermonde matrices
+//! (Monagan and Tuncer, CASC 2016; Chen and Monagan, CASC 2020). A final division detects errors.
 
 use std::collections::BTreeMap;
 
@@ -161,7 +161,7 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
 }
 
-/// A polynomial in one or two variables. The others are set to successive powers of a point.
+/// A polynomial with all but one or two variables set to powers of the coordinates of a point.
 struct PowerEvaluation {
     /// For each term: the exponents of the main and the second variable, the value of the other
     /// factors of the term, and the number by which `next` multiplies this value.
@@ -170,7 +170,7 @@ struct PowerEvaluation {
 
 impl PowerEvaluation {
     /// Starts at power 0 of the point `base`. The main variable and the variable with index
-    /// `second` get no value.
+    /// `second` are not set.
     fn new(field: PrimeField, polynomial: &Residues, base: &[u64], second: Option<usize>) -> Self {
         let term = |(exponents, &coefficient): (&Vec<u32>, &u64)| {
             let other = second.map_or(0, |place| exponents[place] as usize);
@@ -192,7 +192,7 @@ impl PowerEvaluation {
     }
 }
 
-/// The monomials of a factor by their power of the main variable, and their values at a point.
+/// The monomials of a factor, with values at a point, grouped by their power of the main variable.
 struct FactorSupport {
     groups: Table<usize, Vec<(Vec<u32>, u64)>>,
 }

@@ -19,7 +19,7 @@ use super::{modular, square_free};
 /// The coefficients of a polynomial, ordered by exponent. The last coefficient is positive.
 pub(super) type Integers = Vec<BigInt>;
 
-/// This many primes are compared. The prime with the fewest factors is used for the lift.
+/// The number of primes that are tried. The lift uses the prime that gives the fewest factors.
 const COMPARED_PRIMES: usize = 5;
 /// The search for primes begins here. Modulo a prime this large, different factors of a polynomial
 /// rarely have a common root.

@@ -7,7 +7,7 @@ use super::dense::{self, Dense};
 /// For each column (v₁, v₂, …), returns the cᵢ with Σᵢ cᵢ·mᵢ^k = vₖ for all k, where mᵢ are the
 /// nodes. Returns `None` if a node is 0 or two nodes are equal.
 ///
-/// With q(z) = ∏_{j≠i} (z − mⱼ) = Σ qₖ·zᵏ, the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
+/// The product q(z) = ∏_{j≠i} (z − mⱼ) has coefficients qₖ with Σ qₖ·v_{k+1} = cᵢ·mᵢ·q(mᵢ).
 pub(super) fn solutions(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {
     let master = nodes.iter().fold(vec![1], |all, &node| dense::product(field, &all, &[field.neg(node), 1]));
     nodes

@@ -28,7 +28,7 @@ const WORDS: &[&str] = &[
     "\n",
 ];
 
-/// Reads a NumPy array twice: from the bytes, and from a generated header with numbers.
+/// Reads two NumPy files: the bytes, and a file whose header consists of words chosen by the bytes.
 pub fn read_npy(bytes: &[u8]) {
     read(bytes, ".npy");
     let (numbers, header) = bytes.split_at(bytes.len().min(32));

@@ -12,7 +12,7 @@ use crate::pages::Pages;
 /// The minimum sizes of the arrays that the code reads and writes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MemoryExtent {
-    /// A register holds this many numbers. The other fields are lengths of arrays, in registers.
+    /// The number of lanes of a register. The other fields are lengths of arrays, in registers.
     pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
@@ -38,9 +38,9 @@ impl<T: 'static> Code<T> {
     /// # Safety
     /// The bytes must begin with a function on numbers of type `T`, in instructions of this
     /// processor. Its calling convention must be that of System V on x86-64, or of C on 64-bit Arm.
-    /// Only the method whose arguments match those of the function may be called afterwards. If the
-    /// slices have the lengths in `extent`, the function must access no other memory than these
-    /// slices and its stack.
+    /// Afterwards, only the method of `Code` whose arguments match those of the function may be
+    /// called. If the slices have the lengths in `extent`, the function must access no other memory
+    /// than these slices and its stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: MemoryExtent) -> Result<Self, CompileError> {
         Ok(Code { pages: Pages::new(bytes).map_err(CompileError::Pages)?, extent, floats: PhantomData })
     }
@@ -65,7 +65,7 @@ impl<T: 'static> Code<T> {
         unsafe { self.enter([state, read(constants), step_count(steps), state, 0]) }
     }
 
-    /// Runs one round from `state` to `next`, for code that writes the state only at the end.
+    /// Makes one step from `state` to `next`, by code that writes states only at its end.
     pub(crate) fn orbit_step(&self, state: &[T], constants: &[T], next: &mut [T]) {
         self.check(state, constants);
         self.check(next, constants);
@@ -108,7 +108,7 @@ impl<T: 'static> Code<T> {
     /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). If `own` is true, each group of
     /// trajectories that share a SIMD register has its own constants.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
-        /// The usual length of the address table. Clearing a longer table takes more time.
+        /// The length of the address table for few columns. A longer table takes longer to clear.
         const FEW: usize = 32;
         /// The maximum number of columns. Fields with more variables run in the interpreter.
         const MOST: usize = 256;

@@ -13,7 +13,7 @@ pub enum CompileError {
         /// The number of instructions, or the number of results if this is larger.
         instructions: usize,
     },
-    /// The states or constants exceed 2 GiB, the range of an offset in an instruction.
+    /// The states or constants take more than 2 GiB, which offsets in instructions cannot reach.
     OutOfReach {
         /// The number of states or of constants, whichever is larger.
         entries: usize,

@@ -23,8 +23,8 @@ impl InstructionSet {
     /// All instruction sets.
     pub const ALL: [Self; 4] = [Self::Avx, Self::Avx2, Self::Avx512, Self::Neon];
 
-    /// Returns the smallest instruction set of this architecture for scalar code, with fused
-    /// multiply-adds if `fuses` is true.
+    /// Returns the smallest instruction set of this architecture that suffices for scalar code, and
+    /// for fused multiply-adds if `fuses` is true.
     #[must_use]
     pub const fn least(fuses: bool) -> Self {
         match (cfg!(target_arch = "aarch64"), fuses) {

@@ -1,7 +1,7 @@
 //! Lowering of programs to machine operations.
 //!
 //! The lowered program has no duplicate or unneeded operations. If the code does not fuse
-//! multiply-adds, each becomes two operations. Results that are inputs or constants are copied.
+//! multiply-adds, they become two operations. Results that are inputs or constants are copied.
 
 use kahan_program::Operation::{
     Add, Call, Constant, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,
@@ -61,7 +61,7 @@ impl Lowering {
     }
 
     /// Returns the node of result `i`. A result that is an input or a constant is copied, unless it
-    /// is a state in a register, or state `i` in memory.
+    /// is a state that stays in its register, or state `i`, which is already in its place.
     fn result(&mut self, i: usize, place: Node, ends: ResultDestination) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
             (Instruction::Input(Input::State(_)), ResultDestination::Carried) => true,

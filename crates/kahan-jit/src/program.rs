@@ -20,7 +20,7 @@ pub enum CalledFunction {
     Minimum,
     /// Rounds to single precision; in single-precision programs, copies the number.
     RoundToSingle,
-    /// Copies a number, for results that no operation computes.
+    /// Copies a number, for results that are inputs or constants.
     Copy,
 }
 

@@ -23,7 +23,7 @@ impl Dyadic {
 
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (significand, exponent, sign) = Float::integer_decode(x);
-        // Removing trailing zeros keeps products small. For 0, which has 64, the remainder is 0.
+        // Removing trailing zeros keeps products small. The number 0 has 64 of them, and keeps all.
         let zeros = significand.trailing_zeros() % u64::BITS;
         let integer = i64::from(sign) * (significand >> zeros) as i64;
         x.is_finite().then(|| Self::new(integer, i64::from(exponent) + i64::from(zeros)))

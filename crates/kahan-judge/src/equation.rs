@@ -1,4 +1,4 @@
-//! Evaluates A(x,ε)(x̃ − x) = 2εf(x), the equation of Kahan's step x̃ for a field f, exactly.
+//! Evaluates exactly the equation A(x,ε)(x̃ − x) = 2εf(x) of Kahan's step x̃, with A = I − εf′(x).
 //!
 //! Each row is multiplied by the denominator of its component of f. Polynomials are evaluated term
 //! by term, independently of the tested code.

@@ -9,7 +9,7 @@ use super::dyadic::Dyadic;
 pub(crate) struct Format {
     /// The number p of bits of precision. Error bounds are multiples of u = 2^−p.
     pub(crate) precision: i64,
-    /// The least e such that all finite numbers x with |x| ≥ 2^e have full precision.
+    /// The least e such that all finite numbers of absolute value at least 2^e have full precision.
     pub(crate) least_binade: i64,
     /// The exponent e such that all finite numbers are below 2^(e+1).
     pub(crate) greatest_binade: i64,
@@ -17,7 +17,7 @@ pub(crate) struct Format {
 
 pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     const NAME: &'static str;
-    /// The name of the method `step` in tables: `fast` or `accurate`.
+    /// The name that tables give to the method `step`: `fast` or `accurate`.
     const STEP_TIER: &'static str;
     /// The name of the method, if any, that computes the step in a wider format and rounds it once.
     const WIDER_TIER: Option<&'static str> = None;

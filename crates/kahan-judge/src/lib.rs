@@ -1,8 +1,8 @@
 //! Tests single steps near the limits of float formats by exact arithmetic.
 //!
-//! [`Extremes`] contains the settings. [`Judged`] contains, for each kind of step such as
-//! `try_step`, the largest error, and the numbers of reported failures and of unreported wrong
-//! results. A trial depends only on the seed and its index, not on threads.
+//! [`Extremes`] contains the settings. [`Judged`] contains, for each method such as `try_step`, the
+//! largest error, the number of failures that the method reported, and the number of wrong results
+//! that it did not report. A trial depends only on the seed and its index, not on threads.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -48,8 +48,8 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
 /// are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials for each scalar type. Additional trials have large steps, or subnormal,
-    /// infinite or NaN inputs.
+    /// The number of trials for each scalar type, without additional trials that have large steps,
+    /// or subnormal, infinite or NaN inputs.
     pub trials: u64,
     /// The number of random fields. The trials are divided among them and the systems.
     pub random_fields: usize,

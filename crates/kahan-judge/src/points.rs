@@ -1,7 +1,7 @@
-//! Seeded random points. Each point depends on the seed and the index of its trial only.
+//! Seeded random points. Each point depends only on the seed and the index of its trial.
 //!
-//! Logarithms of numbers are uniformly distributed. A quarter of the significands have few bits, so
-//! that exact poles occur.
+//! Logarithms of absolute values are uniformly distributed. A quarter of the significands have few
+//! bits, so that exact poles occur.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -16,7 +16,7 @@ pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The regime of the point: `MixedMagnitudes` if a pole should be near, but none was found.
+    /// The regime of the point; `MixedMagnitudes` if the search for a nearby pole failed.
     pub(crate) regime: Regime,
 }
 
@@ -141,7 +141,7 @@ impl<T: Float> InputSampler<'_, T> {
         self.mixed()
     }
 
-    /// Draws an ordinary point, of which `value` draws one or two numbers anew.
+    /// Draws an ordinary point, and replaces one or two of its numbers by results of `value`.
     fn inputs_in_regime(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
         let (n, epsilon) = (self.judge.equation().dimension(), self.judge.equation().epsilon());

@@ -9,9 +9,9 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 
-/// Returns a random root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits. The
-/// search compares signs near points v at which two terms have equal absolute values. Returns
-/// `None` if the sign never changes.
+/// Returns a random root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits. Roots
+/// are near points v where two terms have equal absolute values, so the search compares the signs
+/// near these points. Returns `None` if the sign never changes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balanced_exponents(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
@@ -20,7 +20,7 @@ pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     let positive = binades.iter().map(|&b| Dyadic::new(1, b));
     let places: Vec<(Dyadic, bool)> =
         negative.chain(positive).map(|v| (v.clone(), sign(coefficients, &v) == Ordering::Less)).collect();
-    // The interval that contains 0 is excluded, since a relative width is undefined there.
+    // No relative width is defined for the interval that contains 0, so this interval is skipped.
     let brackets: Vec<usize> =
         (1..places.len()).filter(|&i| places[i - 1].1 != places[i].1 && i != binades.len()).collect();
     if brackets.is_empty() {

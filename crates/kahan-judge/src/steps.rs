@@ -1,7 +1,7 @@
 //! The steps that are tested, run operation by operation from the formulas of a system.
 //!
-//! Every step equals that of generated code bit for bit. Constant states extend fields to four or
-//! eight variables, because compiling for all eight dimensions takes four times as long.
+//! Every step equals that of generated code bit for bit. Fields get constant states until they have
+//! four or eight variables, since compiling for all dimensions up to 8 takes four times as long.
 
 use std::fmt::Debug;
 
@@ -69,8 +69,8 @@ mod tests {
 
     use super::*;
 
-    /// Tests that `try_step` first tries the precision that generated code tries first: `f32` for
-    /// up to four variables, and `f64` for more.
+    /// Tests that `try_step` begins with the precision of generated code: `f32` for up to four
+    /// variables, and `f64` for more.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {
         let mut text = String::new();

@@ -67,7 +67,7 @@ impl TestedMap {
     }
 }
 
-/// Returns the given value of parameter k, or one at which denominators are unlikely to be 0.
+/// Returns the given value of parameter k, or a value at which denominators are probably not 0.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),
@@ -132,7 +132,7 @@ fn of_scalar<T: Float>(ready: &PreparedTrials<'_, T>, threads: usize, count: &Wo
         let end = (start + TRIALS_PER_BLOCK).min(trials);
         (start..end).for_each(|index| ready.run(index as u64, &mut tally));
         count.add((end - start) as u64);
-        // Threads panic only outside of the lock, so the locked tally is valid.
+        // A thread that panics does not hold the lock, so the locked tally is valid.
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
     });
     all.into_inner().unwrap_or_else(PoisonError::into_inner)

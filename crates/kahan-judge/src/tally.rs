@@ -21,7 +21,8 @@ pub struct Cell {
     /// The number of well-conditioned steps with representable results that `try_step` refused.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
-    /// The number of wrong results that were returned without a warning.
+    /// The number of wrong results without a reported failure. A result of `try_step` is wrong
+    /// beyond its bound, and other results are wrong beyond a relative error of 1e-3.
     pub silently_wrong: u64,
 }
 

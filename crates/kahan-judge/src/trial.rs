@@ -43,7 +43,7 @@ struct ExactTrial {
     exact: Option<Box<dyn ExactStep>>,
 }
 
-/// Returns `trials` plus the number of trials with subnormal or nonfinite inputs or large steps.
+/// Returns `trials` plus the trials with subnormal inputs, nonfinite inputs, and large steps.
 pub(crate) fn with_special_inputs(trials: u64) -> u64 {
     trials + 3 * special(trials)
 }
@@ -209,8 +209,8 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Returns the condition number if it is below the scalar's bound, the field is defined, and
-    /// the format holds x̃. In this case, `try_step` must not refuse.
+    /// Returns the condition number if `try_step` must accept the step: the number is below
+    /// `FLAG_CONDITION`, the field is defined, and the format holds x̃.
     fn forbidden_flag(&self) -> Option<f64> {
         let (ExactTrial { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;

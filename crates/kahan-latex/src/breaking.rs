@@ -1,7 +1,7 @@
 //! Breaks long LaTeX formulas into lines.
 //!
 //! Sums break before signs, and products between factors. Wide fractions and parentheses break
-//! inside, where they contain `aligned` environments. Widths are estimated in characters.
+//! inside, into the lines of an `aligned` environment. Widths are estimated in characters.
 
 mod pieces;
 #[cfg(test)]
@@ -100,11 +100,11 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
 
 const LEAST_WIDTH: usize = 16;
 
-/// Distributes a width over columns. Narrow columns keep their width, and wide columns share the
-/// rest equally.
+/// Distributes a width over columns. The widest columns are cut to equal widths, and the others
+/// keep their width.
 fn column_shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
-    // Every pass but the last decreases `share`, so the loop ends.
+    // The loop ends, because `share` decreases in every pass but the last.
     loop {
         let wide = widths.iter().filter(|&&one| one > share).count();
         let narrow: usize = widths.iter().filter(|&&one| one <= share).sum();

@@ -12,7 +12,7 @@ pub(crate) fn product(factors: &[Factor]) -> (String, Precedence) {
     let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
     for factor in factors {
         let mut expr = &factor.expr;
-        // The language reads −a·b as (−a)·b. The sign is moved to the front of the product.
+        // The parser reads −a·b as (−a)·b. The sign moves to the front of the product.
         if let ExprKind::Negation(inner) = &expr.kind
             && std::ptr::eq(factor, &factors[0])
         {

@@ -1,7 +1,7 @@
 //! Writes names in LaTeX, and as plain text with Greek letters and indices.
 
-/// Writes a name in LaTeX, for example `x1_b` with the indices 1 and b. Greek names become letters.
-/// Indices that are words are upright. A final `_` becomes a prime.
+/// Writes a name in LaTeX. For example, `x1_b` becomes x with the indices 1 and b. Greek names
+/// become letters. Indices that are words are upright. A final `_` becomes a prime.
 pub(super) fn latex_name(name: &str) -> String {
     if let Some(name) = name.strip_suffix('_').filter(|name| !name.is_empty()) {
         return format!("{}'", latex_name(name));
@@ -72,7 +72,7 @@ fn greek(text: &str) -> Option<&'static str> {
     GREEK.iter().find(|(name, sign)| *name == text || *sign == text).map(|(name, _)| *name)
 }
 
-/// Greek letters that have LaTeX commands. All other Greek letters look like Latin letters.
+/// Greek letters with LaTeX commands. The others look like Latin letters, and have no commands.
 const GREEK: [(&str, &str); 40] = [
     ("alpha", "α"),
     ("beta", "β"),

@@ -52,7 +52,8 @@ impl Notation for Latex {
         }
     }
 
-    /// Writes a product with dots before numbers that are not first, and thin spaces beside words.
+    /// Writes a product, with dots before numbers after the first factor and thin spaces around
+    /// words.
     fn product(&self, factors: &[String]) -> String {
         let mut text = String::new();
         let mut before = "";
@@ -78,7 +79,7 @@ impl Notation for Latex {
 
     /// Writes a quotient with integer coefficients, after its sign: (½ x y)/a becomes xy/(2a).
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
-        // Dividing by a negative content would change signs of terms, so absolute values are used.
+        // A content may be negative. Dividing by its absolute value keeps the signs of all terms.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else {
             return self.polynomial(symbols, above);

@@ -1,4 +1,4 @@
-//! Finds the candidates among which a lift is chosen.
+//! Finds candidates for a lift, a quadratic field that is equivalent to given equations.
 //!
 //! The input consists of checked equations and limits of the search. The output consists of sets of
 //! new variables that make the equations quadratic. Each set comes with alternative quadratic
@@ -34,12 +34,12 @@ pub(crate) struct SearchEffort {
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states. In an energy lift, the work done by the forces
-    /// is not such a function, and the entry of its variable is 0.
+    /// The new variables as functions of the states. In an energy lift, the variable for the work
+    /// done by the forces is no function of the states, and its entry is 0.
     pub(crate) new: Vec<Laurent>,
     /// Alternative quadratic fields, with the preferred field first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
-    /// Polynomials in the variables that vanish for the values of the functions.
+    /// Polynomials in all variables that vanish if each new variable equals its function.
     pub(crate) relations: Vec<Quadratic>,
     pub(crate) is_optimal: bool,
     /// The energy that the flow preserves. Kahan's map of the lift preserves a modified energy.
@@ -94,8 +94,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
         let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
-    // The first search also allows sums of terms as variables, and finds small lifts. Their size
-    // limits the second search, which allows only monomials.
+    // The first search also allows sums of terms as variables. The second search allows only
+    // monomials, and is limited to the size of the smallest lift of the first.
     let grouped =
         equations.ring.with_frequent_sums().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
@@ -107,7 +107,7 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
 
 /// Returns energy lifts in which the nonlinear terms of forces are variables. With `as_sums`, one
 /// variable stands for the sum of all nonlinear terms of a force. Otherwise each monomial is a
-/// variable. `least` is the number of new variables of a known lift.
+/// variable. The size `least` of the smallest known lift limits the search.
 fn energy_lifts(
     equations: &Equations,
     ring: &Rc<Ring>,
@@ -148,7 +148,7 @@ fn energy_lifts(
     let least = found.sets[0].len();
     let lift = |set: &Vec<Laurent>| {
         let mut new = [&forces[..], set].concat();
-        // A sum of terms that is affine in the other variables needs no variable of its own.
+        // A sum of terms that is affine in the other variables is removed from the variables.
         let mut index = 0;
         while index < new.len() {
             let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
@@ -213,7 +213,7 @@ fn with_potential(
     if let Some(potential) = &potential {
         let plain = potential.filtered(is_quadratic);
         energy.add_scaled(&plain, &RationalFunction::one());
-        // The product rule is d(x y)/dt = x′y + x y′.
+        // By the chain rule, d/dt `plain` is the sum of velocities times partial derivatives.
         for state in 0..states {
             let velocity = products.affine(&ring.field[state]);
             for (monomial, factor) in plain.partial(state).terms() {

@@ -15,8 +15,8 @@ use crate::stability::{ErrorGrowth, Orbit};
 /// The criterion by which a lift is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LiftCriterion {
-    /// The first lift of this list that exists: an energy lift, a lift whose relations the map
-    /// preserves, a lift in which errors of relations do not grow, the smallest lift.
+    /// The first of the following that exists: an energy lift; a lift whose relations the map
+    /// preserves; a lift in which errors of relations do not grow; the smallest lift.
     #[default]
     Automatic,
     /// An energy lift of a mechanical system.
@@ -58,7 +58,7 @@ impl LiftCriterion {
     }
 }
 
-/// At most this many quadratic fields are compared.
+/// The maximum number of quadratic fields that are rated, over all candidates.
 const MOST_FOLLOWED: usize = 32;
 
 /// A candidate with one of its quadratic fields, and the relations that the map preserves.
@@ -183,7 +183,7 @@ impl<'a> RatedCandidate<'a> {
 
     pub(crate) fn follow(&mut self, orbit: &Orbit) {
         let Candidate { ring, new, .. } = self.candidate;
-        // The last variable may be the work done by the forces, which has no relation.
+        // The work done by the forces has no relation, and its value in `new` is 0.
         let known = new.iter().filter(|value| !value.is_zero()).count();
         self.growth = Some(orbit.growth(ring, &new[..known], &self.form));
     }
@@ -198,8 +198,8 @@ impl<'a> RatedCandidate<'a> {
 
     /// Returns fields with damping, which makes errors decay.
     ///
-    /// For a relation R that is linear in a new variable w, κR is subtracted from w′. The factor κ
-    /// exceeds the growth rate of errors.
+    /// For a relation R = 0 that is linear in a new variable w, κR is subtracted from w′. The
+    /// factor κ exceeds the growth rate of errors without damping.
     fn with_damping(&self, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
@@ -226,7 +226,7 @@ impl<'a> RatedCandidate<'a> {
     }
 
     /// Returns whether the map preserves one relation for each new variable. A sine and its cosine
-    /// need only one relation together.
+    /// need only one relation together, sin² + cos² = 1.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
         let single = new.iter().filter_map(Laurent::as_monomial).filter(|one| one.size() == 1);

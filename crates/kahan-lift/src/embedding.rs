@@ -1,7 +1,7 @@
 //! A program without branches that computes the initial values of new variables.
 //!
 //! `Lift::embed` runs the program in `f64`. Generated code performs the same operations, so the
-//! results have equal bits. Each operation is correctly rounded as in IEEE 754, or is a power by
+//! results have equal bits. Each operation is a correctly rounded operation of IEEE 754, a power by
 //! repeated squaring, or a call of `libm`.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
@@ -90,7 +90,7 @@ impl Calls<CalledFunction> for Exact {
 pub struct Embedding {
     /// The program. The outputs are the values of the new variables.
     pub program: Program<Vec<Operation>>,
-    /// The initial values of the program's registers: constants, and otherwise 0.
+    /// The initial values of the program's registers: the constants, and 0 for other operations.
     constants: Vec<f64>,
 }
 

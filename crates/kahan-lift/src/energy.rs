@@ -1,8 +1,8 @@
 //! Recognises mechanical systems x′ = A p, p′ = G(x) with positions x, momenta p and a potential.
 //!
 //! Let S be a constant symmetric matrix and V a function with ∇V = −A⁻ᵀ S G. Then ½ pᵀSp + V is an
-//! integral. In a lift, let G be affine in the variables, and let one variable W have W′ = −pᵀS G.
-//! Then Kahan's map preserves
+//! integral. In a lift, let G be affine in the states and new variables, and let a new variable W
+//! satisfy W′ = −pᵀS G. Then Kahan's map preserves
 //!
 //!   ½ pᵀSp + W − ε² GᵀSG/2
 
@@ -32,7 +32,7 @@ impl Mechanical {
     /// potential.
     pub(crate) fn recognise(ring: &Ring) -> Option<Self> {
         let [positions, momenta] = positions_and_momenta(ring)?;
-        // A partial derivative is the derivative along a constant field.
+        // The partial derivative ∂/∂xᵢ is the derivative along the constant field eᵢ.
         let partials: Vec<Ring> = positions.iter().map(|&position| along(ring, position)).collect();
         let velocity = |position: usize, momentum: usize| {
             ring.field[position].coefficient(&Monomial::power(momentum, 1))
@@ -63,7 +63,7 @@ type Matrix = Vec<Vec<RationalFunction>>;
 fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     let n = matrix.len();
     let rows = |i: usize| {
-        // Row i of A⁻ᵀ is the b with A b = eᵢ, so the matrix (A | −eᵢ) maps (b, 1) to 0.
+        // Row i of A⁻ᵀ is the vector b with A b = eᵢ, so (b, 1) is in the null space of (A | −eᵢ).
         let unit = |k: usize| if k == i { -&RationalFunction::one() } else { RationalFunction::zero() };
         let rows = matrix.iter().enumerate().map(|(k, row)| [&row[..], &[unit(k)]].concat()).collect();
         let mut solutions = null_space(rows, n + 1);
@@ -156,7 +156,7 @@ fn kinetic_energy(
     let diagonal: Vec<(usize, usize)> = (0..n).map(|i| (i, i)).collect();
     let symmetric: Vec<(usize, usize)> = (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect();
     for (shape, is_own) in [(&symmetric, true), (&diagonal, false), (&symmetric, false)] {
-        // Since −A⁻ᵀSG is a gradient, Σ_jk B_ij S_jk ∂G_k/∂x_l with B = A⁻ᵀ is symmetric in i, l.
+        // With B = A⁻ᵀ, −BSG is a gradient. So Σ_jk B_ij S_jk ∂G_k/∂x_l is symmetric in i and l.
         let mut rows: Matrix = Vec::new();
         for i in 0..n {
             for l in i + 1..n {

@@ -53,7 +53,7 @@ impl Equations {
             (0..self.stated.states.len()).map(|state| Monomial::power(state, 1)).collect();
         let required: Vec<Monomial> =
             ring.field.iter().flat_map(Laurent::terms).map(|(one, _)| one.clone()).collect();
-        // The slopes of coordinates contain negative powers too, such as 1/u in (log u)′ = u′/u.
+        // Derivatives of coordinates may contain further negative powers, as in (log u)′ = u′/u.
         let slopes = ring.coordinates.iter().flat_map(|one| one.slope.terms()).map(|(one, _)| one);
         let negative = required
             .iter()

@@ -193,8 +193,8 @@ impl Laurent {
         self.0.keys().skip(1).fold(first, least)
     }
 
-    /// Returns ρ and p with `self` = ρ·p. The number ρ is rational. All numerators in p have
-    /// integer coefficients without a common factor; the first leading coefficient is positive.
+    /// Returns a rational number ρ and p with `self` = ρ·p. All numerators in p have integer
+    /// coefficients without a common factor. The first of them has a positive leading coefficient.
     pub(crate) fn primitive(&self) -> (Rational, Self) {
         let contents = self.0.values().map(|value| value.numerator().content().abs());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);

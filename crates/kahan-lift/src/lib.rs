@@ -3,11 +3,11 @@
 //! The input is a block of equations with functions, quotients and powers. The output is a
 //! [`Lift`], a quadratic field in the states and in new variables. Each new variable stands for a
 //! function of the states. Formulas are exact. Floats serve to choose a lift, to compute initial
-//! values, and to project points onto relations. `kahan-algebra` tells what Kahan's map preserves.
+//! values, and to project points onto relations. `kahan-algebra` finds what Kahan's map preserves.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Each module uses only modules above it. A test checks this.
+// Each module uses only modules that are declared above it. A test checks this.
 mod laurent;
 
 mod ring;

@@ -42,8 +42,8 @@ const DEFAULT_SEARCH_BUDGET: usize = 20_000;
 pub struct NewVariable {
     /// The name of the variable.
     pub name: String,
-    /// The function of the states as text. `None` for the work done by the forces since the start,
-    /// with initial value 0.
+    /// The function of the states as text; `None` if the variable is the work done by the forces
+    /// since the start, which is 0 at first.
     pub expression: Option<String>,
     value: Laurent,
 }
@@ -51,7 +51,7 @@ pub struct NewVariable {
 /// The behaviour of a relation along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RelationBehaviour {
-    /// The map preserves a modified relation exactly.
+    /// The map exactly preserves the relation after terms in ε are added to it.
     Kept,
     /// The error stays bounded.
     Bounded,
@@ -72,7 +72,7 @@ pub struct Relation {
     pub along: Option<RelationBehaviour>,
     /// The modified function that the map preserves exactly.
     pub formula: Option<String>,
-    /// The growth rate of errors per unit of time: the largest rate of all relations of the lift.
+    /// The growth rate of errors per unit of time. All relations of a lift get the largest rate.
     pub rate: Option<f64>,
     /// The index of the new variable that the relation defines.
     pub defines: Option<usize>,
@@ -104,7 +104,7 @@ pub struct Lift {
     /// The energy that the map preserves exactly.
     pub energy: Option<String>,
     /// Warnings about points at which a new variable is infinite but the equations are finite, and
-    /// about phase errors of periodic forces.
+    /// about periodic forces, whose phase falls behind.
     pub notes: Vec<String>,
     ring: Ring,
     embedding: Embedding,
@@ -113,8 +113,8 @@ pub struct Lift {
 /// Finds a quadratic lift of the equations of a block.
 ///
 /// # Errors
-/// Returns mistakes in the text and functions that cannot be lifted. Fails if no lift is found
-/// within the budget.
+/// Returns diagnostics of mistakes in the text and of functions that cannot be lifted. Fails if no
+/// lift is found within the budget.
 pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let nodes = if options.budget == 0 { DEFAULT_SEARCH_BUDGET } else { options.budget };
@@ -277,7 +277,7 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     let mut notes = Vec::new();
     for (index, coordinate) in ring.coordinates.iter().enumerate() {
         match &coordinate.meaning {
-            // At u = 0, the variable 1/(1 − exp u) is infinite, but u/(1 − exp u) is finite.
+            // 1/(1 − exp u) is infinite at u = 0, but equations with u/(1 − exp u) are finite.
             CoordinateDefinition::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
                 let slope = base.terms().find(|(monomial, _)| !monomial.is_one());
                 let Some((monomial, value)) = slope else { continue };
@@ -312,7 +312,7 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
 }
 
 impl Lift {
-    /// Returns the number of new variables without the time.
+    /// Returns the number of new variables. The time is not one of them.
     #[must_use]
     pub fn order(&self) -> usize {
         self.new.len()
@@ -365,9 +365,9 @@ impl Lift {
         &self.embedding
     }
 
-    /// Returns the program that computes the derivatives of the new variables. The derivatives are
-    /// with respect to all states except `t`, variable by variable. The derivatives of the work
-    /// done since the start are 0.
+    /// Returns the program that computes the derivatives of each new variable by all states except
+    /// `t`. The results are ordered by variable, then by state. The derivatives of the work done
+    /// since the start are 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
         let states = self.states.len() - usize::from(self.has_time);
@@ -375,8 +375,8 @@ impl Lift {
     }
 
     /// Returns the values of the new variables at a point. Rational functions are computed exactly.
-    /// Other functions have the floats of [`embed`](Self::embed). Returns `None` if a value is
-    /// infinite.
+    /// Other functions get the floats that [`embed`](Self::embed) computes. Returns `None` if a
+    /// value is infinite.
     ///
     /// # Panics
     /// If there are fewer values than states or parameters.

@@ -58,7 +58,7 @@ impl<'a> Writer<'a> {
         notation.quotient(&side(&above), &side(&below))
     }
 
-    /// Writes a monomial as exp(u) times a product of powers. Returns u and these powers.
+    /// Splits a monomial into exp(u) and powers of coordinates. Returns u, and the powers.
     fn split_exponentials(&self, monomial: &Monomial) -> (Laurent, Vec<(usize, i16)>) {
         let mut sum = Laurent::zero();
         let mut rest = Vec::new();
@@ -207,7 +207,7 @@ fn raised(name: &str, exponent: u16) -> String {
     format!("{name}{gap}{exponent}")
 }
 
-/// Splits off a minus sign if the numerator is a single negative term.
+/// Returns whether the numerator is a single negative term, and the coefficient without this sign.
 pub(crate) fn signed(coefficient: &RationalFunction) -> (bool, RationalFunction) {
     let negative = coefficient.numerator().len() == 1
         && coefficient.numerator().leading_term().is_some_and(|(_, number)| number.is_negative());

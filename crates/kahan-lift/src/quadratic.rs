@@ -1,7 +1,7 @@
 //! Writes derivatives as quadratic polynomials in the lifted variables.
 //!
 //! A monomial may have several representations. For example, x² is x·x, or the variable for x².
-//! Different representations give different fields where the relations do not hold. Representations
+//! Fields from different representations are equal only where the relations hold. Representations
 //! are listed up to a limit.
 
 use std::collections::BTreeMap;
@@ -79,8 +79,8 @@ impl<'a> Products<'a> {
         products
     }
 
-    /// If the value of a product contains only one unknown monomial, solves for this monomial.
-    /// Repeats this until nothing changes. Products without unknown monomials are relations.
+    /// If a product of two variables has only one unknown monomial, solves for this monomial.
+    /// Repeats this until nothing changes. Products without unknown monomials give relations.
     fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();
@@ -196,8 +196,8 @@ impl<'a> Products<'a> {
         Some(choices.into_iter().map(form).collect())
     }
 
-    /// Prefers (uv)′ = u′v + uv′ for a new variable uv, if the equations of u and v are affine. The
-    /// map then preserves the relation between uv, u and v.
+    /// For a new variable w = uv whose factors have affine equations, prefers w′ = u′v + uv′. The
+    /// map then preserves the relation w = uv.
     fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
         for (index, variable) in self.variables.iter().enumerate().skip(self.ring.field.len()) {
             let Some(monomial) = variable.as_monomial() else { continue };

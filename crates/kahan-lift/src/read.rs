@@ -1,8 +1,8 @@
 //! Parses expressions into Laurent polynomials in coordinates.
 //!
-//! Functions become coordinates. If arguments of a function are rational multiples of each other,
-//! they are integer multiples of one argument, that of the coordinate. The equations are read
-//! repeatedly until no such argument changes.
+//! Functions become coordinates. If a function has arguments that are rational multiples of each
+//! other, its coordinate gets an argument of which they are integer multiples. The equations are
+//! read repeatedly until no coordinate's argument changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
@@ -28,12 +28,12 @@ pub(crate) struct Reader {
     pub is_declared: bool,
     constants: Vec<(String, Laurent)>,
     pub ring: Ring,
-    /// For each kind of function and each argument, without its rational factor: the greatest
-    /// common divisor of the rational factors with which the argument occurs.
+    /// For each kind of function and each primitive argument: the greatest common divisor of all
+    /// rational numbers that multiply this argument.
     units: Vec<(FunctionFamily, Laurent, Rational)>,
 }
 
-/// For an integer n, the functions of one kind at n·u are polynomials in those at u.
+/// A kind of functions. For an integer n, those at n·u are polynomials in those at u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FunctionFamily {
     Exponential,
@@ -252,8 +252,8 @@ impl Reader {
         Monomial::power(coordinate, exponent.saturating_mul(finest / index))
     }
 
-    /// Updates the greatest common divisor of all multiples of an argument by a new multiple, and
-    /// returns the divisor.
+    /// Includes a new multiple of an argument in the greatest common divisor of its multiples.
+    /// Returns the divisor.
     fn common_unit(&mut self, family: FunctionFamily, argument: &Laurent, multiple: &Rational) -> Rational {
         let known = self.units.iter_mut().find(|(of, known, _)| *of == family && known == argument);
         match known {
@@ -315,7 +315,7 @@ impl Reader {
             "cos" => self.circular(FunctionFamily::Circular, argument, span).map(|[_, cosine]| cosine),
             "sinh" => self.circular(FunctionFamily::Hyperbolic, argument, span).map(|[sine, _]| sine),
             "cosh" => self.circular(FunctionFamily::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
-            // Since tan′ = 1 + tan² and tanh′ = 1 − tanh², other functions are not needed.
+            // Since tan′ = 1 + tan² and tanh′ = 1 − tanh², derivatives need no further functions.
             "tan" => Ok(self.tangent(Function::Tan, argument, 1)),
             "tanh" => Ok(self.tangent(Function::Tanh, argument, -1)),
             "sqrt" => self.power(argument, &Rational::new(1, 2), span),
@@ -400,7 +400,7 @@ impl Reader {
         let (multiple, primitive) = argument.primitive();
         let unit = self.common_unit(family, &primitive, &multiple);
         let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
-        // Here cos′ = −sin and cosh′ = sinh. Rules replace sin² by 1 − cos², cosh² by 1 + sinh².
+        // We have cos′ = −sin and cosh′ = sinh. Rules replace sin² by 1 − cos², cosh² by 1 + sinh².
         let (functions, sign) = match family {
             FunctionFamily::Circular => ([Function::Sin, Function::Cos], -1),
             _ => ([Function::Sinh, Function::Cosh], 1),

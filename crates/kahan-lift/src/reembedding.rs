@@ -5,14 +5,14 @@ use crate::embedding::{CalledFunction, Embedding, Operation};
 use crate::ring::Function;
 
 const MOST_EVALUATIONS: usize = 40;
-/// Relative errors up to this multiple of 2⁻⁵² are taken for rounding errors.
+/// Relative errors of at most this number times 2⁻⁵² count as rounding errors.
 const ROUNDING_UNITS: f64 = 8.0;
 
 /// Steps of a lifted map with symmetric projection onto relations w = g(x).
 ///
 /// The map advances states x and new variables w. A step begins at (x, g(x) + μ), with a shift μ
 /// such that the image (x̃, w̃) satisfies w̃ + μ = g(x̃). Reversible maps stay reversible, and
-/// composed maps keep their order.
+/// composed maps keep their order of accuracy.
 #[derive(Clone, Debug, Default)]
 pub struct Reembedding {
     /// The shift μ of the previous step, used as initial guess.
@@ -79,7 +79,7 @@ impl Embedding {
                 Operation::Call(function, a, exponent) => match function {
                     CalledFunction::SquareRoot
                     | CalledFunction::Elementary(Function::Exp | Function::Cosh) => true,
-                    // Real powers are positive, except odd roots, which may be negative.
+                    // Real powers are positive, except with exponents 1/n for odd n.
                     CalledFunction::RealPower => !matches!(
                         &operations[exponent.0],
                         Operation::Constant(value) if value.to_f64().recip().round() % 2.0 != 0.0

@@ -112,7 +112,7 @@ enum RewriteRule {
     /// The monomial is replaced by the polynomial.
     Replace(Monomial, Laurent),
     /// The coordinate b is a root with b^index = `base`. Exponents of b are kept below `index`. If
-    /// one is negative, `instead` replaces the monomial `leading` of `base`.
+    /// an exponent is negative, the monomial `leading` of `base` is replaced by `instead`.
     Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
 }
 
@@ -128,7 +128,7 @@ pub(crate) struct Ring {
     normal: PolynomialCache,
 }
 
-/// A cache of polynomials that several threads may use. A clone is empty.
+/// A cache of polynomials that several threads may use. Cloning it gives an empty cache.
 #[derive(Debug, Default)]
 struct PolynomialCache(Mutex<FxHashMap<Monomial, Laurent>>);
 
@@ -195,7 +195,7 @@ impl Ring {
     /// frequent.
     ///
     /// The frequent sums are the polynomial factors of the time derivatives P′, P″ and P‴ of
-    /// polynomials P under roots. With them, r, x·p and p·p describe Kepler's problem.
+    /// polynomials P under roots. With them, r = |x|, x·p and p·p describe Kepler's problem.
     pub(crate) fn with_frequent_sums(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
@@ -246,7 +246,7 @@ impl Ring {
                     return Some(base.shifted(&monomial.over(&root)));
                 }
                 if leading.is_one() {
-                    // For a constant base c, b^−1 is b^(index−1)/c.
+                    // For a root b with constant base c = b^index, b⁻¹ is b^(index−1)/c.
                     return (exponent < 0).then(|| {
                         let inverse = RationalFunction::one().checked_div(&base.coefficient(leading));
                         Laurent::from(monomial.times(&root)).scale(&inverse.expect("not 0"))

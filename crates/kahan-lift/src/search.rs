@@ -1,7 +1,7 @@
 //! Searches for a smallest set of monomials that makes the equations quadratic.
 //!
 //! A set of variables is closed if each monomial in their derivatives is 1, a variable, a product
-//! of two variables, or by relations a combination of such products. Iterative deepening branches
+//! of two variables, or, because of relations, a combination of these. Iterative deepening branches
 //! over the ways to write one missing monomial. After too many branches, local changes improve a
 //! greedy solution. The search reads no clock, so results are reproducible.
 
@@ -23,8 +23,8 @@ pub(crate) struct CoverProblem {
     pub given: Vec<Monomial>,
     /// Polynomials that are already variables.
     pub sums: Vec<Laurent>,
-    /// Monomials that must be products of variables. Monomials in derivatives of new variables must
-    /// be, too.
+    /// Monomials that must be products of at most two variables, like all monomials in derivatives
+    /// of new variables.
     pub required: Vec<Monomial>,
     /// Coordinates that may have negative exponents in new variables.
     pub negative: BTreeSet<usize>,
@@ -47,7 +47,7 @@ const LOCAL_CHANGES: usize = 40;
 #[derive(Clone, Debug, Default)]
 struct MonomialCover {
     covered: FxHashSet<MonomialId>,
-    /// Products of two variables that contain several monomials not yet covered.
+    /// Products of two variables that contain at least two monomials that are not covered.
     composite: Vec<Rc<[MonomialId]>>,
 }
 
@@ -63,7 +63,7 @@ impl MonomialCover {
         }
     }
 
-    /// If a product has only one missing monomial, covers this monomial, until nothing changes.
+    /// Covers each monomial that is the only missing one in a product, until nothing changes.
     fn close(&mut self) {
         loop {
             let before = self.covered.len();
@@ -84,7 +84,7 @@ struct Search<'a> {
     required: Vec<MonomialId>,
     nodes: usize,
     largest: u32,
-    /// Whether each new variable must be a coordinate, an inverse, or a product of two variables.
+    /// Whether each new variable must be an inverse of a polynomial, or a product of two others.
     founded: bool,
     visited: FxHashMap<Vec<MonomialId>, usize>,
     sets: Vec<Vec<MonomialId>>,
@@ -102,7 +102,7 @@ pub(crate) fn search(
 ) -> Option<VariableSets> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy_set(most);
-    // If the greedy search finds no set within the limit `most`, a full search rarely succeeds.
+    // If the greedy search finds no set, a full search rarely succeeds, and gets fewer nodes.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }
@@ -396,8 +396,8 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Extends `new` to at most `most` variables that make the equations quadratic. Different
-    /// values of `twist` may give different sets.
+    /// Adds variables to `new` until they make the equations quadratic; `None` if this takes more
+    /// than `most` variables. Different values of `twist` may give different sets.
     fn closure(&mut self, mut new: Vec<MonomialId>, most: usize, twist: u64) -> Option<Vec<MonomialId>> {
         let mut cover = self.cover(&new);
         loop {

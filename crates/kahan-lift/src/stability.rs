@@ -16,7 +16,7 @@ use crate::ring::Ring;
 const HORIZON: f64 = 100.0;
 pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
 pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
-/// The computation ends at this amplification of errors.
+/// The computation ends when errors have grown by this factor.
 const MAX_AMPLIFICATION: f64 = 1e8;
 const MOST_POINTS: usize = 20_000;
 /// For the exponential of a matrix, a step is divided into at most this many substeps.
@@ -110,7 +110,7 @@ impl Orbit {
         if count == 0 {
             return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // Derivatives of `new` by states come first, then those of equations by new variables.
+        // The derivatives of `new` by states precede those of the equations by new variables.
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {
@@ -128,7 +128,7 @@ impl Orbit {
         let mut matrix: Vec<f64> =
             (0..count * count).map(|place| if place % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
         let [mut first, mut second] = [matrix.clone(), matrix.clone()];
-        // Errors are divided by these sizes, so the scale of a variable does not matter.
+        // Errors are divided by the largest values of the variables, so that scales do not matter.
         let mut sizes = vec![0.0_f64; count];
         for (_, x) in &self.points {
             let values = functions.values(x, &self.parameters);
@@ -152,8 +152,8 @@ impl Orbit {
                     row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
             }
-            // With Λ = `lambda`, a step h is divided into substeps s, usually such that s‖Λ‖ ≤ 1/2.
-            // Then exp(hΛ) is about (1 + sΛ + (sΛ)²/2)^(h/s).
+            // With Λ = `lambda`, a step h is divided into substeps of size s, with s‖Λ‖ ≤ 1/2 if
+            // not too many are needed. Then exp(hΛ) is about (1 + sΛ + (sΛ)²/2)^(h/s).
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;

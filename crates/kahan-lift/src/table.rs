@@ -12,7 +12,7 @@ pub(crate) type MonomialId = u32;
 #[derive(Clone, Debug)]
 struct MonomialEntry {
     monomial: Monomial,
-    /// The monomials in the normal form of `monomial`; `None` if `monomial` is in normal form.
+    /// The monomials that the normal form of `monomial` contains; `None` if it is already normal.
     rewritten: Option<Rc<[MonomialId]>>,
     derivative: Option<Rc<[MonomialId]>>,
 }

@@ -117,7 +117,7 @@ const QUARTIC: System = System {
     parameters: &[],
     field: |x| vec![x[1], -x[0].powi(3)],
 };
-/// The new variables x² and x³ come near 0, where rounding errors are relatively large.
+/// The new variables x² and x³ come near 0, where their relative rounding errors are large.
 const DUFFING: System = System {
     text: "x' = p; p' = -x - x^3/2",
     start: &[1.0, 0.2],

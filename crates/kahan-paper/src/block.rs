@@ -49,8 +49,8 @@ pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, Str
     }
 }
 
-/// Tries changed claims, each with another changed coefficient or sign, until one fails. Returns
-/// the number of tries and the failing claim. A try costs as much as [`establish_block_claim`].
+/// Changes one coefficient or sign of the claim at a time, until a changed claim fails. Returns the
+/// number of tries and the failing claim. A try costs as much as [`establish_block_claim`].
 #[must_use]
 pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>) {
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };

@@ -1,4 +1,4 @@
-//! The exact orbits of the paper's figures, and the heights of their points.
+//! The exact orbits of the paper's figures, and the heights (sizes of fractions) of their points.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -205,8 +205,8 @@ fn class(name: &str) -> Option<i64> {
         .and_then(|index| i64::try_from(index).ok())
 }
 
-/// Returns `parts` + 1 points of a closed level curve of the integrals H and K of dE4 through
-/// `point`. Requires xy > 0 and |εz| < 1.
+/// Returns `parts` + 1 points on the closed curve through `point` on which the integrals H and K of
+/// Kahan's map of E4 are constant. Requires xy > 0 and |εz| < 1.
 ///
 /// With s = x + y, d = x − y, h = 2ε²H and g = 2ε²K, the integrals give (1−h)s² − (1+h)d² = 4H and
 /// (1−g)(s² + d²) + 2z² = 4K. Elimination of s leaves an ellipse in d and z.

@@ -1,4 +1,4 @@
-//! Computes, for dE7 and dE8, the limit C₁ of h(yₙ)/n, where h is the logarithmic height.
+//! Computes the limit C₁ of (logarithmic height)/n on orbits of Kahan's maps dE7 and dE8.
 
 use kahan_algebra::rational::Rational;
 
@@ -18,12 +18,12 @@ pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
     })
 }
 
-/// Computes the limit C₁ for dE7; `None` if a and b below have different denominators.
+/// Computes the limit C₁ for dE7; `None` if the numbers a and b have different denominators.
 ///
 /// Let a = τ + 1 − ξ/2 and b = τ + ξ/2 have the common denominator M. Let a_r in (0, 1] be the
 /// multiple of 1/M with r·M·a_r ≡ M·a modulo M, and let b_r be defined likewise. By the prime
 /// number theorem for arithmetic progressions, C₁ is the mean of max(0, ψ(b_r) − ψ(a_r)) over the
-/// residues r coprime to M.
+/// residues r coprime to M, where ψ is the digamma function.
 fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);
@@ -50,8 +50,8 @@ fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     Rational::parse(&mean.to_digits(50))
 }
 
-/// Computes the limit C₁ for the orbit of dE8 with x₀ = 1/(2ετ): (M/φ(M)) Σ 1/m over 1 ≤ m ≤ M
-/// coprime to M, where M is the denominator of τ + 1/2 and φ is Euler's function.
+/// Computes the limit C₁ for the orbit of dE8 with x₀ = 1/(2ετ). C₁ is M/φ(M) times the sum of 1/m
+/// over all m ≤ M coprime to M, where M is the denominator of τ + 1/2 and φ is Euler's function.
 fn c1_of_de8(tau: &Rational) -> Option<Rational> {
     let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
     let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();

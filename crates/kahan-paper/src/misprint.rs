@@ -11,7 +11,7 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// Returns the misprinted item and the claim's item that shares the most words with it.
+    /// Returns a misprinted item, and the claim's item that has the most words in common with it.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
@@ -60,7 +60,7 @@ impl Paper {
                     Some(value) => {
                         point.insert(definition.name, value);
                     }
-                    // Coordinates are rational. Other values, such as log 3, remain formulas.
+                    // Rational values are coordinates. Other values, such as log 3, stay formulas.
                     None => others.push(definition),
                 },
                 witness @ Item::Relation { .. } => witnesses.push(witness),
@@ -107,7 +107,7 @@ impl Paper {
         let [left, right] = self.sides(claim, left, right, definitions)?;
         let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
         if *relation == Relation::Different {
-            // A misprinted `left != right` is false only if both sides are equal everywhere.
+            // A misprinted `left != right` is false only if the sides are equal at all points.
             let differ = identity.establish().is_ok();
             return Ok(("one function".to_owned(), "the same function".to_owned(), differ));
         }

@@ -70,7 +70,7 @@ impl Calculus for Arithmetic256 {
             ("atan2", [y, x]) => y.atan2(x),
             ("gamma", [u]) => u.gamma(),
             ("digamma", [u]) => u.digamma(),
-            // The second integrals of dE7 and dE8 are series.
+            // The second integrals `K7` of dE7 and `K8` of dE8 are sums of series.
             ("K7", [x, y, z, eps, xi]) => {
                 e7::integral_k(xi, &point([x, y, z]), eps).map_err(|_| EvaluationError::Undefined)?
             }

@@ -84,7 +84,7 @@ impl Paper {
         threads: Option<usize>,
         work: impl Fn(&Claim) -> R + Sync,
     ) -> Vec<R> {
-        // Claims about long orbits, which are slow, come first, so that no thread ends with one.
+        // Claims about long orbits are slow. They come first, so that threads end together.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
         let mut results = threads::map(order.len(), threads, |turn| (order[turn], work(claims[order[turn]])));

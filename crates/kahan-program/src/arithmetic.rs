@@ -42,7 +42,7 @@ pub trait Arithmetic {
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }
-    /// Returns whether division by a may be computed as multiplication by the rounded 1/a.
+    /// Returns whether multiplication by the rounded 1/a may replace division by a.
     fn is_moderate(&self, _a: &Self::Value) -> bool {
         false
     }

@@ -76,7 +76,7 @@ where
         self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
-    /// Returns the node of −a. Unlike [`negate`](Self::negate), keeps −(x − y) as a negation.
+    /// Returns the node of −a. Unlike [`negate`](Self::negate), does not turn −(x − y) into y − x.
     pub fn changed_sign(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,

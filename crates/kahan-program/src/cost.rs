@@ -1,7 +1,7 @@
 //! Computes the cost of a program: operation counts and critical path.
 //!
 //! Latencies are those of x86-64 cores of the last ten years, in cycles. A multiply-add takes one
-//! cycle more than an addition, and [`Program::fused`] does not fuse where this lengthens the
+//! cycle more than an addition. [`Program::fused`] does not fuse an addition if this lengthens the
 //! critical path.
 
 use alloc::vec;
@@ -127,7 +127,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         let at = |node: Node| ready[node.0];
         let candidate = match self.operations[index] {
             Operation::Add(a, b) => {
-                // Of two products, the one that is ready later is fused with the addition.
+                // If both summands are products, the one that is ready later is fused.
                 let (late, early) = if at(a) > at(b) { (a, b) } else { (b, a) };
                 match (product(late), product(early)) {
                     (Some((x, y)), _) => Some(Operation::MultiplyAdd(x, y, early)),

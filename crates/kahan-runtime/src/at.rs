@@ -90,9 +90,9 @@ impl<T: RuntimeFloat> MapAt<T> {
         MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
 
-    /// Returns the map whose steps equal, bit for bit, those of columns of trajectories at `level`.
-    /// Levels above [`Level::Baseline`], the default, fuse multiply-adds. Returns `None` if the
-    /// processor lacks the level, or if the step has no machine code.
+    /// Returns the map whose steps equal, bit for bit, the steps of columns at the instruction
+    /// level `level`. Levels above [`Level::Baseline`], the default, fuse multiply-adds. Returns
+    /// `None` if the processor lacks the level, or if the step has no machine code.
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
         let (set, fuses) = match level {
@@ -139,7 +139,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 
     /// Advances the state `numbers[0]`, whose length was checked. With compensated summation,
-    /// `numbers[1]` holds the rounding errors of the state; without, it is empty.
+    /// `numbers[1]` holds the corrections of the state; otherwise it is empty.
     pub(crate) fn advance_checked(&self, numbers: [&mut [T]; 2], steps: u64) {
         let interpret = |numbers: [&mut [T]; 2], steps| {
             self.engine().advance(self.kind, self.stages(), numbers, steps);
@@ -152,8 +152,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         }
     }
 
-    /// Advances `x` with compensated summation: the exact sum `x` + `carry` is the point of the
-    /// orbit. Begin with zeros in `carry`, and pass `carry` to the next call to continue.
+    /// Advances `x` with compensated summation: the orbit's point is the exact sum of `x` and
+    /// `carry`. Begin with zeros in `carry`. To continue, pass `carry` unchanged to the next call.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `x` or `carry` is not the dimension of the map.

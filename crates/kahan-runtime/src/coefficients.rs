@@ -149,18 +149,18 @@ impl Coefficients {
         Ok(())
     }
 
-    /// Returns the field, with its equations written as text.
+    /// Returns the field together with its equations as text.
     #[must_use]
     pub fn text(self) -> FieldText {
         FieldText::of_system(self.system(), "field".to_owned())
     }
 
-    /// Returns the field.
+    /// Returns the field as a [`System`].
     #[must_use]
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // A symmetric Q has equal entries for xⱼxₖ and xₖxⱼ, which become one coefficient.
+            // A symmetric Q has equal entries for xⱼxₖ and xₖxⱼ. Their sum becomes one coefficient.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };

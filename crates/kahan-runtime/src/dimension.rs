@@ -24,7 +24,7 @@ pub(crate) enum Argument {
     Parameters,
     Parameter(String),
     Type,
-    /// The dimension, which is too large for a step with a guaranteed error bound.
+    /// The dimension of the map, which is too large for a guaranteed error bound.
     Promise,
 }
 

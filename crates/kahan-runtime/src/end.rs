@@ -8,7 +8,7 @@ pub enum End {
     /// The next point is not finite in floats, because of a pole or overflow. An orbit with a
     /// nonfinite start ends after 0 steps.
     Range(u64),
-    /// In exact numbers the next point does not exist, since det A = 0.
+    /// In exact numbers the next point does not exist, since the matrix of the step is singular.
     Pole(u64),
     /// A variable of the last point exceeds the requested bound.
     Escaped(u64),
@@ -49,7 +49,7 @@ impl End {
         }
     }
 
-    /// Adds `before` to the number of steps, for steps made before the run.
+    /// Adds to the number of steps the `before` steps that an earlier run made.
     #[must_use]
     pub fn after(self, before: u64) -> Self {
         match self {

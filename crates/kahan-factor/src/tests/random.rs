@@ -17,7 +17,6 @@ pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, de
     factor
 }
 
-/// A factor of the product may itself be reducible.
 #[test]
 fn random_products_have_the_factors_of_their_factors() {
     let mut rng = SplitMix64::new(11);
@@ -65,8 +64,8 @@ fn irreducible_factors_stay_so_in_other_variables() {
 
 /// Returns a polynomial that is irreducible by Eisenstein's criterion at a prime.
 ///
-/// The prime divides all coefficients except the leading one. The last coefficient is ± the prime
-/// and coprime to the leading coefficient.
+/// The prime divides all coefficients except the leading one. The constant term is the prime or its
+/// negative, and is coprime to the leading coefficient.
 pub(super) fn random_irreducible(
     rng: &mut SplitMix64,
     variables: u16,

@@ -24,7 +24,7 @@ pub(super) struct Allocator<'a> {
     pub(super) free_slots: Vec<usize>,
     /// For each value, the indices of the results that are equal to this value.
     pub(super) results_of: Vec<Vec<usize>>,
-    /// For each result, whether it is stored last, since the state it replaces may still be read.
+    /// For each result, whether it is stored after all operations, as they may read the old state.
     pub(super) waits: Vec<bool>,
     pub(super) code: Allocation,
 }
@@ -205,8 +205,8 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // The result gets a new register. If an operand is in memory, it is loaded into this
-            // register. Otherwise, the addend is copied into it.
+            // The result gets a new register. An operand in memory is loaded into the register. If
+            // there is none, the addend is copied.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {

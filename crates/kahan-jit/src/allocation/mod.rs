@@ -2,8 +2,8 @@
 //!
 //! A value stays in a register until its last use. If no register is free, the value with the
 //! farthest next use is spilled to the stack, which minimises loads (L. A. Belady, IBM Systems J. 5
-//! (1966) 78). Constants are read from memory, but a loop keeps its most used constants in spare
-//! registers.
+//! (1966) 78). Constants are read from memory, but a loop keeps its most used constants in
+//! registers that are otherwise unused.
 
 mod allocator;
 mod moves;
@@ -32,7 +32,7 @@ pub(crate) enum MachineInstruction {
     Load(Vector, ValueLocation),
     Store(ValueLocation, Vector),
     Copy(Vector, Vector),
-    /// Computes to = a ∘ b. The fields are the operator ∘, the vectors `to` and a, and b.
+    /// Computes `to` = a ∘ b. The fields are ∘, `to`, a and b, in this order.
     Binary(Binary, Vector, Vector, Source<ValueLocation>),
     /// A fused multiply-add. `FusedOrder` says which of the operands to, b, c are multiplied.
     Fused(Fused, FusedOrder, Vector, Vector, Source<ValueLocation>),
@@ -60,7 +60,7 @@ pub(crate) struct RoundPlan {
 pub(crate) const FEWEST_REGISTERS: u8 = 4;
 
 impl ValueLocation {
-    /// Returns the location of an input or constant before the first round.
+    /// Returns where an input or constant is before the code runs; `None` for other instructions.
     fn initial_location(instruction: Instruction) -> Option<Self> {
         match instruction {
             Instruction::Input(Input::State(i)) => Some(Self::State(i)),
@@ -120,7 +120,7 @@ fn constants_in_registers(program: &Program, plan: RoundPlan, most: usize) -> Ve
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        // Programs without states as results run once, so registers for constants save no load.
+        // Code whose results do not become states runs once, so no register need keep a constant.
         Instruction::Constant(_) => plan.ends != ResultDestination::Elsewhere,
         _ => false,
     };

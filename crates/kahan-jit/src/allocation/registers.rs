@@ -40,8 +40,8 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Returns whether a value in memory that is no constant should be loaded, because it is read
-    /// again and a register is unused.
+    /// Returns whether to load a value from memory into a register: the value is no constant and is
+    /// read again, and a register is free.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable =
             !matches!(self.home[value], Some(ValueLocation::Constant(_) | ValueLocation::Literal(_)) | None);

@@ -1,7 +1,7 @@
 //! Assemblers for straight-line floating-point code, one per processor.
 //!
 //! A pool of constants follows the machine code. Tests build both assemblers on every machine, and
-//! check their output with other tools.
+//! compare their output with an independent assembler or disassembler.
 
 #[cfg(any(target_arch = "aarch64", test))]
 mod a64;
@@ -61,5 +61,5 @@ pub(crate) struct FrameNeeds {
     pub(crate) instructions: usize,
 }
 
-/// The smallest page size. New pages of the stack are touched in order, as systems demand.
+/// The smallest page size. Functions touch new stack pages in order, as operating systems require.
 const PAGE: usize = 4096;

@@ -8,7 +8,7 @@ pub(crate) enum Element {
     Double,
 }
 
-/// The part of a register on which an instruction works.
+/// The part of a register on which an instruction works: the lowest lane, or 128, 256 or 512 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Width {
     Scalar,

@@ -9,7 +9,7 @@ pub(crate) struct Entry(usize);
 #[derive(Debug)]
 pub(super) struct Pool {
     form: OperandForm,
-    /// The bits of one lane of each constant.
+    /// For each constant, the bits that every lane holds.
     entries: Vec<u64>,
     /// For each reference, its position in the code and its constant.
     uses: Vec<(usize, Entry)>,
@@ -38,7 +38,7 @@ impl Pool {
     }
 
     /// Appends the constants to the code, after a gap up to the next cache line. The gap consists
-    /// of `filler` bytes, which trap when executed. `refer` writes the target into each reference.
+    /// of `filler` bytes, which trap when executed. `refer` writes a position into an instruction.
     pub(super) fn append_to(
         self,
         mut code: Vec<u8>,

@@ -1,4 +1,4 @@
-//! Synchronisation of the instruction caches of 64-bit Arm.
+//! Makes new code visible to the instruction caches of 64-bit Arm.
 #![expect(unsafe_code, reason = "only instructions of their own reach the caches")]
 
 use core::arch::asm;
@@ -10,7 +10,7 @@ use core::arch::asm;
 pub(super) fn publish(code: &[u8]) {
     let [data, instructions] = line_lengths();
     for line in lines(code, data) {
-        // SAFETY: this cache line contains a byte of `code`, and its contents stay unchanged.
+        // SAFETY: this cache line contains a byte of `code`. Writing it back changes nothing.
         unsafe { asm!("dc cvau, {}", in(reg) line, options(nostack, preserves_flags)) };
     }
     // SAFETY: the barrier only waits for the instructions before it.

@@ -1,4 +1,4 @@
-//! Code that runs a program once.
+//! Machine code that runs a program once.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{RoundPlan, ValueLocation};
@@ -32,8 +32,8 @@ impl<T: Float> Function<T> {
             ValueLocation::Literal(_) | ValueLocation::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads one register for each state and each constant of the program, and
-        // writes one register for each result. Only `Code::function` enters the code.
+        // SAFETY: for each state and constant of the program, the code reads as many numbers as fit
+        // a register. For each result it writes as many. Only `Code::function` enters the code.
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 

@@ -18,7 +18,7 @@ use crate::{CompileError, Shape};
 
 /// The maximum number of instructions. Jumps and offsets of longer code might not fit.
 const MOST_INSTRUCTIONS: usize = 50_000;
-/// The maximum stack for slots in bytes, half of the default stack of a thread.
+/// The maximum size of all stack slots in bytes, half of the default stack of a thread.
 const MOST_STACK: usize = 1 << 20;
 
 /// A function that returns the memory operand of a location; it may load the location's address.
@@ -33,7 +33,7 @@ struct Frame {
 
 impl Frame {
     /// Begins a function over numbers of type `T`, with stack slots above the stack pointer. Panics
-    /// if results become the next states, but the program reads a state without a result.
+    /// if results become the next states, but a state that the program reads has no result.
     fn open<T: Float>(
         program: &Program,
         shape: Shape,

@@ -18,7 +18,7 @@ pub struct Orbit<T> {
     round_bytes: usize,
 }
 
-/// Code that iterates a program. A round runs the program with several sets of constants, in order.
+/// Code that iterates a program. In each round, the program runs once with each set of constants.
 #[derive(Debug)]
 pub struct ComposedOrbit<T> {
     code: Code<T>,
@@ -52,8 +52,8 @@ impl<T: Float> Orbit<T> {
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
         // SAFETY: the code reads as many states as there are results, and the constants. It writes
-        // only these states, or if states stay in registers, the array in the fourth argument. Only
-        // `Code::orbit` and, in the latter case, `Code::orbit_step` enter the code.
+        // only these states, or the array in the fourth argument if states stay in registers. Only
+        // `Code::orbit` enters the code, and `Code::orbit_step` if states stay in registers.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends, round_bytes })
     }

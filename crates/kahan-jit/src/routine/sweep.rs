@@ -68,8 +68,8 @@ impl<T: Float> Sweep<T> {
         frame.assembler.repeat_below(index, length, next_register);
         frame.assembler.count_down(steps, next_step);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads and writes the first `states` columns register by register. The
-        // code reads one register per constant from the constants' address. Only `Code::sweep`
+        // SAFETY: the code reads and writes the first `states` columns register by register. For
+        // each constant it reads one register, from the array of constants. Only `Code::sweep`
         // enters the code, with the register width and with the stride between sets of constants.
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
@@ -87,8 +87,8 @@ impl<T: Float> Sweep<T> {
         constants
     }
 
-    /// Advances all trajectories by `steps` rounds. Each constant is repeated for each lane of a
-    /// register. If registers have their own constants, `constants` holds one set after the other.
+    /// Advances all trajectories by `steps` rounds. Each constant is repeated for each lane. With
+    /// [`Constants::Own`], `constants` holds one set for each register of trajectories, in order.
     ///
     /// # Panics
     /// If the columns differ in length, or the length is not a multiple of [`width`](Self::width).

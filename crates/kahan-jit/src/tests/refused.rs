@@ -1,4 +1,4 @@
-//! Tests which programs the compiler refuses, and that all others fit on the stack of a thread.
+//! Tests which programs are refused, and that the code of all others fits the stack of a thread.
 
 use kahan_program::Node;
 
@@ -26,7 +26,7 @@ fn program(operations: &[Instruction], outputs: Vec<Node>) -> Program {
     Program { operations: operations.to_vec(), outputs }
 }
 
-/// Instructions hold offsets from the start of an array as signed 32-bit numbers.
+/// Offsets from the start of an array must fit signed 32-bit numbers.
 #[test]
 fn entries_beyond_the_reach_of_an_instruction_are_refused() {
     if is_unavailable() {

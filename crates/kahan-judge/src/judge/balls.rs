@@ -1,6 +1,6 @@
-//! Tests results by balls around x̃, for maps with too many terms to be expanded.
+//! Tests results by balls around the exact step x̃, for maps with too many terms to be expanded.
 //!
-//! Undecided questions are repeated with twice the bits, and finally with exact quotients.
+//! Undecided questions are repeated with twice the bits, and finally with exact rational numbers.
 
 use std::cmp::Ordering;
 
@@ -137,7 +137,7 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
     precisions().find_map(|bits| elimination::condition(&at, &curvature, bits)).unwrap_or(f64::INFINITY)
 }
 
-/// Expands det A, row by row, as a polynomial in ε or in one state, chosen at random.
+/// Expands det A row by row as a polynomial in one variable, chosen at random: ε or a state.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
     /// With this many bits, roots are as precise as the longest scalar type, unless many digits
     /// cancel.

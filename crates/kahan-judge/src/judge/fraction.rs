@@ -1,7 +1,7 @@
 //! Represents the exact step x̃ as quotients x̃ᵢ = Nᵢ/d with one denominator d.
 //!
-//! A result y has the error |yᵢd − Nᵢ|/|d| in component i. All errors and max |Nᵢ|/|d| have the
-//! denominator |d|, so they are compared without division.
+//! A result y has the error |yᵢd − Nᵢ|/|d| in component i. All errors and the norm max |Nᵢ|/|d|
+//! have the denominator |d|, so they are compared without division.
 
 use std::cmp::Ordering;
 
@@ -42,7 +42,7 @@ impl Fraction {
         let matrix: Vec<_> = (0..n).map(row).collect();
         let right: Vec<_> = (0..n).map(|i| vec![equation.increment(i).rational()]).collect();
         let solved = solve(&arithmetic::Exact, &matrix, &right)?;
-        // Minors of dyadic entries are dyadic, so these numerators are dyadic.
+        // By Cramer's rule the numerators are determinants of dyadic numbers, so they are dyadic.
         let numerator = |(x, moved): (&Dyadic, &Vec<Rational>)| {
             Dyadic::of_rational(&(&(&x.rational() + &moved[0]) * &solved.determinant))
         };

@@ -55,11 +55,11 @@ pub(crate) trait ExactStep {
 /// The comparison of a finite result with the exact step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Verdict {
-    /// The relative error, or in tests by residuals the backward error, in units of 2^−precision.
+    /// The relative error in units of 2^−precision; the backward error in tests by residuals.
     pub(crate) error_u: f64,
     /// Whether the error bound of `try_step` holds.
     pub(crate) keeps_promise: bool,
-    /// Whether the result is right to about three digits: the relative error is at most 1e-3.
+    /// Whether the relative error is at most 1e-3.
     pub(crate) is_rough: bool,
 }
 

@@ -120,7 +120,7 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
         let own = Product(vec![Name(PARAMETERS[draw.below(2)]), draw.state(states)]);
         let square = Product(vec![draw.state(states), draw.state(states)]);
         let mut terms = vec![sign(draw, own), sign(draw, Name(states[i])), sign(draw, square)];
-        // With a single term in each equation, closed forms in many variables stay short.
+        // In more than four variables, equations keep one term, so that closed forms are short.
         if n > 4 {
             terms = vec![terms.swap_remove((draw.below(2) + i) % 3)];
         }
@@ -134,7 +134,7 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     field("Coupled", "parameters before unit terms", states, equations, &PARAMETERS[..2])
 }
 
-/// Draws fields in awkward spellings, with cubic terms that cancel.
+/// Draws fields that are written in unusual ways, with cubic terms that cancel.
 pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &COLLIDING_STATE_NAMES[..n];
     let start = draw.below(n);

@@ -16,7 +16,7 @@ use crate::survey::TrialTarget;
 use crate::tally::Tally;
 use crate::trial::{Trials, with_special_inputs};
 
-/// A scalar type whose values are stored as `u64`, one for each float of the value.
+/// A scalar type whose values are exchanged as words, one `u64` for each float of the value.
 pub(super) trait Words: Float {
     const WORDS: usize;
 
@@ -76,8 +76,8 @@ impl Compiled {
         Self::of(name, system, judge_of(system))
     }
 
-    /// Prepares a chain of `sites` sites. First come the parameters of the whole chain. For each
-    /// other name, one parameter per site follows.
+    /// Prepares a chain of `sites` sites. Parameters of the whole chain come first. Each other
+    /// parameter has one value for each site.
     pub(super) fn of_chain(name: &str, family: &Family, sites: usize) -> Self {
         let system = family.at_sites(sites).expect("no site divides by zero");
         Self::of(name, &system, Box::new(ByResidual(Equation::of(&system), Rows::Own)))

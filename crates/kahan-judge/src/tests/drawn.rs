@@ -25,7 +25,7 @@ pub(super) fn odd_of_many(seed: u64, number: usize) -> Drawn {
 pub(super) fn odd_chain(seed: u64, number: usize) -> Drawn {
     let mut draw = Draw::new(seed, "Chain", number);
     let (arrays, reach) = (1 + number % 3, 1 + draw.below(2) as i64);
-    // Every 25th chain is long enough to be cut into segments.
+    // Every 25th chain has more than five hundred sites.
     let sites = if number % 25 == 24 { 520 + draw.below(300) } else { 1 + draw.below(36 / arrays) };
     draw.states = (0..arrays).map(|k| ["x", "y", "z"][k].to_owned()).collect();
     draw.offsets = reach;

@@ -1,9 +1,9 @@
 //! Tests the guarantee of `try_step` near the limits of float formats, on a seeded sample.
 //!
 //! An `Ok` of `try_step` must lie within 64 u of the exact step, relative to its largest component,
-//! where u is the scalar's unit. An error is allowed only if the condition number is at least 1e12
-//! (f32: 1e4) or the format cannot hold the result. The comparison is exact.
-//! `kahan extremes --trials 1000000` takes a large sample.
+//! where u is the unit roundoff. An `Err` is allowed only if the condition number is at least 1e12
+//! (f32: 1e4) or the format cannot hold the result. The comparison is exact. `kahan extremes
+//! --trials 1000000` takes a large sample.
 
 use std::ops::ControlFlow;
 
@@ -58,7 +58,7 @@ fn the_stable_tier_keeps_its_promise_at_the_extremes() {
     assert_eq!((wrong, flags), (0, 0), "silently wrong, and flagged without right: {:#?}", tally.failures);
 }
 
-/// In the rejected steps, only the last multiply-add overflows, after all bounds are computed.
+/// If a step must fail here, only its last multiply-add overflows, after all bounds are computed.
 #[test]
 fn a_result_beyond_the_largest_float_is_flagged() {
     for (x, eps) in [(12.0, 0.125), (40.0, 0.03125)] {
@@ -89,7 +89,7 @@ fn each_regime_has_its_quarter() {
         for regime in [Regime::NearPole, Regime::NearRemovablePole, Regime::MixedMagnitudes, Regime::Ordinary]
         {
             let trials = tally.cells[&(regime, "stable", scalar)].trials;
-            // Trials that find no pole have mixed magnitudes, so up to one in fifty may be missing.
+            // Trials that find no pole count as mixed magnitudes, so one in fifty may be missing.
             assert!(4 * trials >= TRIALS - TRIALS / 50, "{scalar}, {regime:?}: {trials}");
         }
         for regime in [Regime::Subnormal, Regime::NotFinite, Regime::LargeSteps] {

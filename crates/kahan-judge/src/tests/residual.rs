@@ -1,11 +1,10 @@
 //! Tests results of steps of many variables by the residual of the step's equation A·x̃ = b.
 //!
-//! Let u be the scalar's unit. A result y is within its error bound if, in every row i,
+//! Let u be the unit roundoff. A result y is within its error bound if, in every row i,
 //!
-//! |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ,
+//! A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ,
 //!
-//! where k is the number of entries of a row of A: of row i in a chain, of the widest row in a
-//! field.
+//! where k is the number of entries of row i of A for a chain, and of the widest row for a field.
 
 use std::cmp::Ordering;
 
@@ -141,7 +140,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Opti
     Some(PolePolynomial { variable, coefficients })
 }
 
-/// Approximates the determinant of A after some rows are replaced.
+/// Approximates the determinant of A with the rows in `replaced` in place of its own.
 pub(crate) fn determinant(equation: &AtPoint, replaced: &[(usize, &[(usize, Dyadic)])], bits: u64) -> Dyadic {
     let mut matrix = Matrix::of(equation, bits, |_| Vec::new());
     for (i, entries) in replaced {

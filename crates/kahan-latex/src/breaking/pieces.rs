@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Returns the ranges inside the first fraction (two) or parentheses (one) of a factor.
+/// Returns the ranges of both parts of a factor's first fraction, or inside its first parentheses.
 pub(super) fn group_insides(factor: &str) -> Option<Vec<Range<usize>>> {
     const FRACTION: &str = "\\frac{";
     const OPEN: &str = "\\left(";
@@ -26,7 +26,7 @@ pub(super) fn group_insides(factor: &str) -> Option<Vec<Range<usize>>> {
     None
 }
 
-/// Returns the position of the `}` or `\right` that closes a group with contents from `start`.
+/// Returns the position of the `}` or `\right` that ends the group whose contents begin at `start`.
 pub(super) fn closing(text: &str, start: usize) -> usize {
     let mut depth = NestingDepth::default();
     for (at, _) in text[start..].char_indices() {

@@ -1,4 +1,4 @@
-//! Substitutes definitions in formulas, and evaluates derivatives.
+//! Substitutes definitions in formulas, and computes symbolic derivatives.
 
 use std::collections::BTreeMap;
 

@@ -5,8 +5,8 @@ use std::ops::Range;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::{Token, TokenKind};
 
-/// Returns all mutations of a text: a number is increased by one in its last place, a sign is
-/// flipped, a right-hand side is doubled, or `*` and `/` are exchanged.
+/// Returns all mutations of a text. A mutation increases one number by one in its last place, flips
+/// one sign, doubles one right-hand side, or exchanges one `*` or `/` for the other.
 #[must_use]
 pub fn mutations(text: &str) -> Vec<String> {
     let lexed = lex(text);

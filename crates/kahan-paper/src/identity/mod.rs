@@ -62,7 +62,7 @@ impl Identity<'_> {
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
         // Functions are replaced by variables, which may depend on each other. Different
-        // polynomials in them may therefore be equal.
+        // polynomials in them then do not prove that the sides differ.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,

@@ -74,7 +74,7 @@ pub(super) fn decimal(value: &Rational) -> Float256 {
     Real::from_rational(&value.to_big())
 }
 
-/// Returns the number of equal decimals, at most 70, of both numbers over max(|left|, |right|, 1).
+/// Returns how many decimals, at most 70, agree after division by max(|left|, |right|, 1).
 pub(super) fn agreement(left: &Float256, right: &Float256) -> u32 {
     let one = Float256::from(1);
     let scale = [left.abs(), right.abs()].into_iter().fold(one, |a, b| if b > a { b } else { a });

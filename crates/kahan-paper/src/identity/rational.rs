@@ -26,7 +26,7 @@ type Point = BTreeMap<String, Rational>;
 impl Identity<'_> {
     pub(super) fn rational(&self, left: &Formula, right: &Formula) -> Result<Evidence, String> {
         let names = self.names([left, right]);
-        // The points depend on a hash of the formulas, so no formula can be made to fit them.
+        // The points depend on a hash of the formulas, so nobody can fit a formula to the points.
         let mut random = Shake256::new(format!("{left:?} {:?} {right:?}", self.relation).as_bytes());
         let sizes = names.iter().map(|name| (name.clone(), FractionSize::variable())).collect();
         let points = match self.sides(&SizeArithmetic, left, right, sizes).map_err(|trouble| words(&trouble))
@@ -43,7 +43,7 @@ impl Identity<'_> {
                 Relation::Equal if left != right => {
                     return Err(self.refutation(left, right, &names, &mut random));
                 }
-                // A single point at which both sides differ proves that the functions differ.
+                // For `Different`, a single point at which the sides differ is a proof.
                 Relation::Different if left != right => return Ok(Evidence::NormalForm),
                 _ => {}
             }

@@ -1,5 +1,5 @@
-//! Writes verdicts as text: one line for each claim and three if it fails, or each claim with
-//! statement, source and time.
+//! Writes verdicts as text: in short form, one line for a claim and three for a failed claim; in
+//! long form, the claim with its statement, source and time.
 
 use kahan_algebra::render::{columns, lines as breakable, shorten, widths};
 use kahan_systems::registry::find;

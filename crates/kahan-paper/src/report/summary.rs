@@ -87,7 +87,7 @@ fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     [vec!["Misprints: what is printed → what is right".to_owned()], aligned(&rows)].concat()
 }
 
-/// Writes `printed → right`. If this exceeds `room` characters, omits words that both share.
+/// Writes `printed → right`, without the common words if this would exceed `room` characters.
 fn replaced(printed: &str, right: &str, room: usize) -> String {
     let (printed, right): (Vec<&str>, Vec<&str>) = (printed.split(' ').collect(), right.split(' ').collect());
     let first = printed.iter().zip(&right).take_while(|(a, b)| a == b).count();

@@ -55,7 +55,7 @@ curve.pencil | the four singular quadrics of the pencil are different: the curve
     r1 != 0; r2 != 0; r3 != 0; r1 != r2; r1 != r3; r2 != r3
 ";
 
-/// Hirota's bilinear form. The names A1, B1, … denote the values of A, B, … at the next point.
+/// Hirota's bilinear form of the map. A1, B1, C1 and D1 are A, B, C and D at the next point.
 const HOMOGENEOUS: &str = "
     x := (A + B)/(2*eps*D); y := (A - B)/(2*eps*D); z := C/(eps*D);
     X := (A1 + B1)/(2*eps*D1); Y := (A1 - B1)/(2*eps*D1); Z := C1/(eps*D1);
@@ -76,7 +76,7 @@ integral | the integral of the first kind: sn is its inverse |
     d(sn(u, k), u)^2 = (1 - sn(u, k)^2)*(1 - k^2*sn(u, k)^2); F(atan2(sn(u, k), cn(u, k)), k) = u
 ";
 
-/// The integrals as functions of the solution's parameters δ and κ.
+/// The solution's parameters δ and κ, as elliptic integrals F with the modulus k.
 const PARAMETERS: &str = "
     k := sqrt((g - h)*(1 + h)/((g + h)*(1 - h))); s := sqrt((g + h)/(1 + h));
     delta := F(atan2(s, sqrt(1 - s^2)), k);

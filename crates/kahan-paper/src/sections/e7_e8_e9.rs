@@ -1,4 +1,4 @@
-//! Claims of section 6 about dE7, dE8, and the orbits of E9 with the time along them.
+//! Claims of section 6 about dE7 and dE8, and about the orbits of the flow E9 as functions of time.
 
 mod e7;
 mod e8;

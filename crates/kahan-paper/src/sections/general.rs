@@ -4,8 +4,8 @@ use super::super::claim::Claim;
 use super::super::section::Section;
 use super::text::read;
 
-/// Definitions of the components Fᵢ of the field, of their homogeneous parts Qᵢ, Bᵢ and Cᵢ of
-/// degrees 2, 1 and 0, and of Kronecker's δᵢⱼ.
+/// Definitions of the field's components Fᵢ, of their parts Qᵢ of degree 2, Bᵢ of degree 1 and Cᵢ
+/// of degree 0, and of Kronecker's δᵢⱼ.
 const COMPONENT_DEFINITIONS: &str = "
     F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w);
     F3(u, v, w) := at(f3, x, u, y, v, z, w);
@@ -19,8 +19,8 @@ const COMPONENT_DEFINITIONS: &str = "
     delta31 := 0; delta32 := 0; delta33 := 1;
 ";
 
-/// Identities for generic fields. The placeholders `{i}`, `{x}` and `{X}` stand for a row, its
-/// state and its next state, and `{j}` for a column.
+/// Identities for generic fields. The placeholder `{i}` stands for a row, `{x}` for its state,
+/// `{X}` for this state at the next point, and `{j}` for a column.
 const METHOD_CLAIMS: &str = "
 scheme | definition of the map |
     ({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2

@@ -8,9 +8,9 @@ pub struct StructureRow {
     pub system: &'static str,
     /// The Lie algebras of the tensors P and Q.
     pub algebras: [Algebra; 2],
-    /// The definitions of H, K, c, P and Q in Table 1. For maps, also those in Tables 2 to 4, whose
-    /// names end in `_eps`. Tensors are given by {x,y}, {y,z} and {z,x}, named `P12`, `P23` and
-    /// `P31`.
+    /// The definitions of H, K, c, P and Q in Table 1. For maps, those in Tables 2 to 4 follow,
+    /// whose names end in `_eps`. Tensors are given by {x,y}, {y,z} and {z,x}, named `P12`, `P23`
+    /// and `P31`.
     pub definitions: &'static str,
 }
 
@@ -123,7 +123,7 @@ pub(super) const STRUCTURES: [StructureRow; 9] = [
     },
 ];
 
-/// Returns the row of E1 to E9: the flow's Lie-Poisson pair, and the map's integrals and pair.
+/// Returns the Poisson structures and integrals of one of the systems E1 to E9 and of its map.
 #[must_use]
 pub fn structure(system: &str) -> Option<&'static StructureRow> {
     STRUCTURES.iter().find(|structure| structure.system == system)

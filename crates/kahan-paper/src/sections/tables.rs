@@ -75,7 +75,7 @@ theorem2.{e}.involution | Theorem 2, i = {i}, H(eps) and K(eps) commute |
     bracket(P12_eps, P23_eps, P31_eps, H_eps, K_eps) = 0; bracket(Q12_eps, Q23_eps, Q31_eps, H_eps, K_eps) = 0
 ";
 
-/// Claims for maps that preserve the bracket Q(ε)/c with a function c that is not constant.
+/// Claims for maps that preserve the bracket Q(ε)/c, but not Q(ε), because c is not constant.
 const DENSITY_FACTOR_CLAIMS: &str = "
 theorem2.{e}.factor | Theorem 2, i = {i}, Q(eps) without the factor 1/c is not invariant |
     Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))

@@ -63,7 +63,7 @@ fn check(system: &str, data: &Value) {
         for (n, text) in listed.zip(texts(&data["h"][variable])) {
             let wanted: f64 = text.parse().expect("a number");
             let found = survey.heights[n as usize].logarithms[component];
-            // The values in the file are rounded, and the computed value may be wrong by one ulp.
+            // Listed values have fifteen digits. Computed values may be wrong by one rounding.
             let tolerance = 0.5 * fifteenth_digit(wanted) + wanted * f64::EPSILON;
             assert!((found - wanted).abs() <= tolerance, "{name}: h({variable}_{n}) = {found:e}, not {text}");
             compared += 1;

@@ -200,8 +200,8 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Returns, for each start, the number of steps to the last finite point. Every orbit must have
-    /// nonfinite points after `steps` steps.
+    /// Returns, for each start, the number of steps to the last finite point. After `steps` steps,
+    /// no orbit may be finite.
     fn finite_steps(
         &self,
         kind: StepKind,
@@ -226,8 +226,8 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time, because some ε in `eps` is so near 0 that a step must
-    /// not divide by it.
+    /// Follows trajectories one at a time, because some ε in `eps` is so near 0 that its steps need
+    /// a formula without division by ε.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],

@@ -94,7 +94,7 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns code that writes the integrals of each orbit's map after the orbit's coordinates.
+    /// Returns code that appends the integrals of each orbit's map to the orbit's coordinates.
     fn group_code_of_integrals(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<GroupCode<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));

@@ -63,8 +63,8 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits in groups. A group is observed by `has_observed`, or if that returns
-    /// `false`, by this function.
+    /// Observes orbits in groups. `has_observed` observes a group, or leaves this to
+    /// `observe_groups` by returning `false`.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -176,7 +176,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// Returns machine code of Kahan's map of the variational field: points with tangent vectors.
+    /// Returns code for points with tangent vectors: Kahan's map of the variational field.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,
@@ -255,8 +255,8 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
         Followed { report: self.observers.report(), end: self.end }
     }
 
-    /// Shows points of all orbits of a group together until one orbit ends. Without a bound, only
-    /// the last points are tested, since nonfinite points stay nonfinite.
+    /// Shows points of all orbits of a group together until one orbit ends. Without a bound, the
+    /// last points show whether all are finite, because nonfinite points stay nonfinite.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,

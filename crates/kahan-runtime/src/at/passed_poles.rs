@@ -17,7 +17,7 @@ pub struct PassedPoleCount {
     /// The number of steps that pass over a pole.
     pub steps: u64,
     /// Whether signs of det A were used instead of roots of the denominator. Steps over an even
-    /// number of roots are then not counted, and steps over a removable zero of det A are.
+    /// number of roots are then missed, and steps over a removable zero of det A are counted.
     pub is_lower_bound: bool,
 }
 

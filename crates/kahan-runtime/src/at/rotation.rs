@@ -1,7 +1,7 @@
 //! Rotation numbers of the variables of an orbit, in two passes.
 //!
 //! In: a map. Out: two observers. The first pass finds the extremes of each variable and of its
-//! rate of change. The second pass finds the rotation around the middle of the extremes.
+//! rate of change. The second pass finds the rotation of these pairs around their middle.
 
 use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, RotationNumber};
 

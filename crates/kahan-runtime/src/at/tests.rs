@@ -1,4 +1,4 @@
-//! Compares orbits by machine code with compiled maps and with the interpreter, in every scheme.
+//! Compares orbits of machine code with those of compiled Rust code and of the interpreter.
 
 use core::array::from_fn;
 use core::ops::ControlFlow;
@@ -240,7 +240,7 @@ fn an_orbit_ends_after_its_last_finite_point() {
         let (steps, is_pole) = end_of("xdot = 1000*x;", 1.0 / 2000.0, scheme);
         assert!(steps > 0 && !is_pole, "{scheme}: {steps}");
         if scheme.order() == 2 {
-            // A step of x' = x² takes x to x/(1 − 2εx): from 1 to 2, and from 2 to a pole.
+            // With ε = 1/4, the step x/(1 − 2εx) of x' = x² takes 1 to 2, and has a pole at 2.
             assert_eq!(end_of("xdot = x^2;", 0.25, scheme), (1, true), "{scheme}");
         }
     }
@@ -271,7 +271,7 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
 
 /// Returns a random field of n variables, in which x1 stays 0 if it begins there. Each product of
 /// two variables occurs with a probability of `percent` %. Coefficients are multiples of `unit`,
-/// and constant terms also of `p`.
+/// and constant terms are multiples of `unit`·`p`.
 fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}*{unit}", below(255, random) as i64 - 127);
     let component = |i: usize| {

@@ -1,4 +1,4 @@
-//! Roots of the reduced denominator d(x, ε′) of a map for ε′ between 0 and ε.
+//! Roots ε′ between 0 and ε of the denominator d(x, ε′) of a map in lowest terms.
 //!
 //! In: d as a polynomial, parameters, ε, and points x. Out: whether d(x, ·) has a root between 0
 //! and ε, or at ε. Floats with an error bound decide most cases; exact numbers decide the other
@@ -10,11 +10,11 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// In the error bound of a product, factors below this number are replaced by it. Otherwise the
-/// bound could underflow.
+/// In the error bound of a product, smaller factors are replaced by this number, so that the bound
+/// does not underflow.
 const TINY: f64 = 1.0 / (1_u128 << 110) as f64;
 
-/// The denominator d(x, ε·t) of the map, a polynomial in the states x and in t, where 0 < t ≤ 1.
+/// The denominator d(x, ε′) as a polynomial in the states x and in t = ε′/ε, where 0 < t ≤ 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Denominator {
     states: Vec<Variable>,
@@ -99,8 +99,8 @@ impl Denominator {
                 sizes += size;
             }
         }
-        // There are at most nine rounding errors for each term, one for each addition, and about
-        // two hundred for the Bernstein form. `EPSILON` is twice the error of one rounding.
+        // Each term has at most nine rounding errors, each addition has one, and the Bernstein form
+        // has about two hundred. `EPSILON` is twice the error of one rounding.
         let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
         if sizes < TINY {
             return None;

@@ -9,11 +9,11 @@ use kahan_algebra::rational::Rational;
 /// The largest number of coefficients.
 pub(super) const MAX_COEFFICIENTS: usize = MOST_EXPANDED + 1;
 
-/// The number of bisections of the interval before floats give up.
+/// The number of bisections after which floats leave a case undecided.
 const MAX_HALVINGS: u32 = 12;
 
-/// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of size `error` permit both
-/// answers.
+/// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if an error of at most `error` in its values
+/// permits both answers.
 ///
 /// Writes the polynomial in Bernstein form, whose coefficients bound all values on the interval.
 /// The first and the last coefficient are the values at the ends.
@@ -45,8 +45,8 @@ fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
         return (first != 0).then_some(false);
     }
     let halvings = halvings.checked_sub(1)?;
-    // De Casteljau's algorithm: the diagonal has the coefficients of the left half, and the last
-    // row has the coefficients of the right half.
+    // De Casteljau's algorithm bisects the interval: `left` gets the coefficients of the left half,
+    // and `form` those of the right half.
     let mut left = [0.0; MAX_COEFFICIENTS];
     let left = &mut left[..form.len()];
     for (k, value) in left.iter_mut().enumerate() {

@@ -24,7 +24,7 @@ pub(super) const GUARDED: u64 = 64;
 /// The code of an orbit, compiled at first use; `Some(None)` after a failed compilation.
 type OrbitCodeCell<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
-/// The machine code of a palindromic step, and the constants of its stages up to the middle one.
+/// The code of a palindromic composition, and the constants of its stages up to the middle one.
 #[derive(Clone, Debug)]
 pub(crate) struct CompiledStages<T: RuntimeFloat> {
     /// The code for plain steps, then the code for steps with compensated summation.
@@ -40,7 +40,7 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         CompiledStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages; `None` if it or `kind` differs for one of `all`.
+    /// Returns the number of distinct stages, or `None` if one of `all` differs in it or in `kind`.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
@@ -65,7 +65,7 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         advance_dense_columns(self.kind, columns, &self.constants, steps, alone);
     }
 
-    /// Returns the code for `steps` steps; `None` if it fails to compile or saves no time yet.
+    /// Returns code for `steps` steps; `None` if compiling fails, or does not pay for so few steps.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
         let kind = StepKind { compensated: carries, ..self.kind };
@@ -99,8 +99,8 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         }
     }
 
-    /// Replaces a state by the next state at another ε, without allocation. Returns `false` and
-    /// changes nothing if the code is not compiled, may reject a step, or is not valid at this ε.
+    /// Makes one step at another ε, without allocation. Returns `false` and changes nothing if the
+    /// code is not compiled, may reject a step, or is not valid at this ε.
     pub(crate) fn has_stepped_at(
         &self,
         engine: &Engine,

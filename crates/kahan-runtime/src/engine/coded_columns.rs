@@ -1,7 +1,7 @@
-//! Advances many trajectories by machine code, in tiles that fill whole SIMD registers.
+//! Advances many trajectories by machine code, in tiles.
 //!
-//! In: columns, with ε and parameters. Out: the columns after some steps. A tile holds the columns
-//! of some trajectories; all its steps run while the tile is in the L1 cache.
+//! In: columns, with ε and parameters. Out: the columns after some steps. A tile holds trajectories
+//! that fill whole SIMD registers. All its steps run while it is in the L1 cache.
 
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;
@@ -19,7 +19,7 @@ const TILE: usize = 512;
 /// The number of bytes in a cache line.
 const LINE: usize = 64;
 const PAGE: usize = 4096;
-/// If at least this many steps follow, copying a tile to aligned memory saves time.
+/// The least number of steps for which copying a tile to aligned memory saves time.
 const WORTH_MOVING: u64 = 8;
 
 impl Engine {
@@ -176,7 +176,7 @@ struct PreparedColumns<'a, T> {
 }
 
 impl<T: MachineFloat> PreparedColumns<'_, T> {
-    /// Prepares constants for trajectories from index `first` on that fill this many `registers`.
+    /// Prepares the constants of the trajectories that fill `registers` registers, from `first` on.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

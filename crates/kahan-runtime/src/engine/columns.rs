@@ -1,8 +1,8 @@
 //! Many trajectories, one column for each variable.
 //!
 //! In: columns, ε and parameters; each value is shared, or each trajectory has a value of its own.
-//! Out: the columns after some steps. Each SIMD lane holds one trajectory. With elimination, one
-//! trajectory advances after the other, because branches depend on pivots.
+//! Out: the columns after some steps. Each SIMD lane holds one trajectory. With elimination,
+//! trajectories advance one after the other, because their pivots decide the branches.
 
 use core::ops::Range;
 
@@ -84,7 +84,7 @@ impl Engine {
         }
     }
 
-    /// Returns `kind` with the formula of single orbits at these ε; `None` if they use several.
+    /// Returns `kind` with the formula of single orbits at these ε; `None` if formulas differ.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,

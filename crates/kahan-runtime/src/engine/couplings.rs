@@ -1,8 +1,8 @@
 //! Sparse elimination for fields of many variables, on slices.
 //!
-//! In: the entries of f′(x), and ε, half the time step. Out: factors of A(x,ε) = I − εf′(x) in
-//! `kahan-core`'s elimination order, and solutions of systems with A. If a pivot is too small,
-//! another elimination exchanges rows.
+//! In: the entries of f′(x), and ε, half the time step. Out: factors of A(x,ε) = I − εf′(x), and
+//! solutions of systems with A. `kahan-core` chooses the order of elimination. If a pivot is too
+//! small, a second elimination exchanges rows.
 
 use std::sync::OnceLock;
 
@@ -82,7 +82,7 @@ impl EliminationPattern {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Returns whether A is so large and sparse that an elimination with pivoting uses sparse rows.
+    /// Returns whether elimination with pivoting stores sparse rows, since A is large and not full.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables
@@ -102,12 +102,12 @@ impl EliminationPattern {
         supernodes.factor(&couplings, self.are_sparse(), &mut factors.values, &mut factors.panels)
     }
 
-    /// Factors A(x,ε) without testing pivots. Returns a number larger than [`LARGEST_FACTOR`] if
-    /// [`factor`](Self::factor) would return `false`; `None` if no pivot has entries both below it
-    /// and to its right.
+    /// Factors A(x,ε) without testing pivots. Returns the maximum of min(m, q) over all pivots,
+    /// where m is the largest multiplier in the pivot's column, and q the largest quotient of an
+    /// entry in its row by the pivot; `None` if no pivot has entries both below it and to its
+    /// right.
     ///
-    /// For each pivot, let m be the largest multiplier of its column, and q the largest quotient of
-    /// an entry of its row by the pivot. The result is the maximum of min(m, q) over all pivots.
+    /// If [`factor`](Self::factor) would return `false`, the maximum exceeds [`LARGEST_FACTOR`].
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     pub(crate) fn growth<V: Scalar>(
@@ -140,7 +140,7 @@ impl EliminationPattern {
         self.couplings().pivots(&factors.values).filter(|pivot| **pivot < 0.0).count() % 2 == 1
     }
 
-    /// Replaces the column y of b with index `column` by A⁻¹y; b is row-major with `width` columns.
+    /// Replaces column `column` of b by A⁻¹ times this column; b is row-major with `width` columns.
     pub(crate) fn solve<V: Scalar>(
         &self,
         factors: &mut Factors<V>,

@@ -39,7 +39,7 @@ impl GeneralRegister {
     }
 }
 
-/// Whether two adjacent registers, saved by one instruction, are vector or general registers.
+/// The kind of two adjacent registers that one instruction saves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pair {
     /// Two vector registers, of which the lower 64 bits are saved.
@@ -150,7 +150,7 @@ impl Assembler {
         self.word(word | load | (offset / 8) << 15 | (first + 1) << 10 | first);
     }
 
-    /// Writes sub sp, sp, which lowers the stack pointer by at most one page.
+    /// Writes `sub sp, sp, #bytes`, which lowers the stack pointer by at most one page.
     pub(super) fn lower_stack(&mut self, bytes: usize) {
         const PAGES: u32 = 1 << 22;
 
@@ -197,8 +197,8 @@ impl Assembler {
         set_target(&mut self.bytes, place, to);
     }
 
-    /// Writes a conditional jump, and returns its position. In long code the opposite condition
-    /// jumps over an unconditional branch.
+    /// Writes a conditional jump, and returns its position. In long code, where the target may be
+    /// out of reach, the opposite condition jumps over an unconditional branch.
     fn jump(&mut self, condition: u32, opposite: u32) -> usize {
         const OVER_THE_NEXT: u32 = 2 << 5;
 
@@ -234,7 +234,7 @@ pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     });
 }
 
-/// Patches adrp with the distance in pages, and the load with the offset within the page.
+/// Patches adrp with the distance to `target` in pages, and the load with the offset in its page.
 pub(super) fn refer_by_page(code: &mut [u8], place: usize, target: usize, size: usize) {
     let pages = ((target >> 12) as i64 - (place >> 12) as i64) as u32;
     change(code, place, |word| word | (pages & 3) << 29 | (pages >> 2 & 0x7_ffff) << 5);

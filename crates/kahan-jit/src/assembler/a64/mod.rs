@@ -36,7 +36,7 @@ pub(crate) struct Assembler {
     is_long: bool,
 }
 
-/// Returns a register's machine number. In [`Vector`], caller-saved registers come first.
+/// Returns a register's machine number. Indices in [`Vector`] list caller-saved registers first.
 fn number(Vector(index): Vector) -> u32 {
     match index {
         0..8 => index.into(),
@@ -186,7 +186,7 @@ impl Assembler {
             let operands = number(y) << 16 | number(addend) << 10 | number(x) << 5 | number(to);
             return self.word(word | self.precision() | operands);
         }
-        // The vector instructions fmla and fmls add to the contents of their destination.
+        // The vector instructions fmla and fmls add to their destination, here `sum`.
         let sum = if addend == to && x != to && y != to { to } else { TEMPORARY };
         if operator == Fused::MultiplySubtract {
             self.negate(sum, addend);
@@ -201,7 +201,7 @@ impl Assembler {
         }
     }
 
-    /// Copies a whole vector register, or in scalar forms the number in its lowest lane.
+    /// Copies a whole vector register, or only its lowest lane in scalar code.
     pub(crate) fn copy(&mut self, to: Vector, from: Vector) {
         if self.is_scalar() {
             self.word(0x1e20_4000 | self.precision() | number(from) << 5 | number(to));
@@ -264,7 +264,7 @@ impl Assembler {
     }
 
     pub(crate) fn finish(self) -> Vec<u8> {
-        /// A word of zeros is a permanently undefined instruction (udf).
+        /// Gaps are filled with zeros, which encode a permanently undefined instruction (udf).
         const UNDEFINED: u8 = 0;
 
         let (is_long, size) = (self.is_long, self.form.bytes());

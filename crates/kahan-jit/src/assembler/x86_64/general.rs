@@ -53,7 +53,7 @@ pub(crate) struct Label(pub(crate) usize);
 pub(crate) struct ForwardJump(usize);
 
 impl Assembler {
-    /// Writes an instruction on `other` and `register`, which is a register or three opcode bits.
+    /// Writes an instruction on `other`. The number `register` is a register or three opcode bits.
     fn on_registers(&mut self, opcode: u8, register: u8, other: GeneralRegister) {
         let other = other as u8;
         let prefix = 0x48 | register >> 3 << 2 | other >> 3;

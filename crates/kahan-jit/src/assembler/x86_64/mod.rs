@@ -1,8 +1,8 @@
 //! An assembler for x86-64.
 //!
-//! The assembler writes AVX and FMA. Registers beyond the first sixteen, or of 512 bits, need
-//! AVX-512F and AVX-512VL (Intel, Software Developer's Manual, volume 2). Functions follow the
-//! calling convention of System V.
+//! The assembler writes AVX and FMA instructions. Registers from the seventeenth on, and registers
+//! of 512 bits, need AVX-512F and AVX-512VL (Intel, Software Developer's Manual, volume 2).
+//! Functions follow the calling convention of System V.
 
 mod encoding;
 mod general;
@@ -76,7 +76,7 @@ impl Assembler {
         self.ret();
     }
 
-    /// Writes to = a ∘ b for the operator ∘. Scalar `ExclusiveOr` also changes the unused lanes.
+    /// Writes to = a ∘ b for the operator ∘. Scalar `ExclusiveOr` also changes upper lanes of `to`.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,
@@ -122,7 +122,7 @@ impl Assembler {
         if self.form.element == Element::Single {
             return self.copy(to, from);
         }
-        // A scalar conversion copies the upper bits of the result from one more operand.
+        // Scalar conversions take the upper bits of the result from one more operand, here `rest`.
         let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
         let (rest, rest_of_single) = (rest(from), rest(to));
         let single = OperandForm { element: Element::Single, ..self.form };

@@ -1,4 +1,4 @@
-//! Slices between inaccessible pages: an access outside a slice kills the process.
+//! Slices next to inaccessible pages: an access outside a slice kills the process.
 #![expect(unsafe_code, reason = "only the system can forbid memory, and knows nothing of slices")]
 
 use std::ffi::c_void;
@@ -31,8 +31,8 @@ impl<T: num_traits::Float> Guarded<T> {
         let used = len * size_of::<T>();
         let inner = used.next_multiple_of(PAGE);
         let bytes = inner + 2 * PAGE;
-        // SAFETY: the operating system chooses unused addresses. The inner pages hold the numbers,
-        // which are zero. They begin or end at a page, so they are aligned.
+        // SAFETY: the system chooses unused addresses, and fills the pages with zeros, which are
+        // numbers. The slice starts or ends at a page boundary, so it is aligned.
         unsafe {
             let flags = MapFlags::PRIVATE | MapFlags::NORESERVE;
             let pages = mmap_anonymous(ptr::null_mut(), bytes, ProtFlags::empty(), flags);

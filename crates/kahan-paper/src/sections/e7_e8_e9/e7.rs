@@ -19,7 +19,7 @@ const SOLUTION: &str = "
     Z(n) := tau*gamma*(4*N(n)^2 - 1)/(2*eps*(4*tau^2 - 1)*N(n))
         + 2*tau^2*beta^2*xi*(4*N(n)^2 - 1)*G0^2/(eps*N(n))*W(n)";
 
-/// The formulas of `SOLUTION` with g = g(n), W = W(n). The call `step(F)` is F at the next point.
+/// The formulas of `SOLUTION` without arguments: g is g(n), and W is W(n). `step(F)` is F at n + 1.
 const STEP: &str = "
     X := 1/(2*eps*N); Y := tau*beta/(2*eps*N)*g*G0;
     Z := tau*gamma*(4*N^2 - 1)/(2*eps*(4*tau^2 - 1)*N) + 2*tau^2*beta^2*xi*(4*N^2 - 1)*G0^2/(eps*N)*W;
@@ -32,7 +32,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y*(N + 1 - xi/2)/(N + xi/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + 2*xi*Y*next(Y)
 ";
 
-/// Claims about the solution. Those named `….step` hold for one step from an arbitrary point.
+/// Claims about the solution. If a name ends in `.step`, the claim is about a single step.
 const SOLUTIONS: &str = "
 x | (ss), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 y | (ww), solution y_n |
@@ -69,8 +69,8 @@ const BRACKET: &str = "
     P23 := y*(1 - eps^2*x^2)*((digamma(1 - xi/2 + u) - digamma(xi/2 + u))/(2*eps*x) - 1);
     P31 := x*(1 - eps^2*x^2)";
 
-/// Claims about brackets. The vector w = (P₂₃, P₃₁, P₁₂) of an invariant bracket satisfies
-/// Jᵀ w(x̃) = det J · w(x), where J = ∂x̃/∂x.
+/// Claims about brackets. If the map preserves the bracket with the entries Pᵢⱼ, then the vector w
+/// = (P₂₃, P₃₁, P₁₂) satisfies Jᵀ w(x̃) = det J · w(x), where J = ∂x̃/∂x.
 const BRACKETS: &str = "
 bracket.jacobi | the bracket's Jacobi identity | jacobi(P12, P23, P31) = 0
 bracket.invariance | the map preserves the bracket |
@@ -85,7 +85,7 @@ bracket.at_minus_1 | the bracket at xi = -1 is -P of dE2 |
     at(P23, xi, -1) = y*(1 + eps^2*x^2); at(P31, xi, -1) = x*(1 - eps^2*x^2)
 ";
 
-/// The series ε²K̂₇ = Z/(4N²−1) + Σ t_j, where t_j is `t` at the j-th next point (erratum B7).
+/// The series ε²K̂₇ = Z/(4N²−1) + Σ t_j, where t_j is the value of `t` after j steps (erratum B7).
 const SERIES: &str = "N := 1/(2*eps*x); Y := y/x; Z := z/x; t := 4*xi*Y*next(Y)/((4*N^2 - 1)*(2*N + 3))";
 const SECOND_INTEGRAL: &str = "
 K.telescope | the series for K_7, addition: a step takes its first term away |

@@ -4,7 +4,7 @@ use super::super::super::claim::Claim;
 use super::super::super::section::Section;
 use super::super::text::read;
 
-/// The ratios N = 1/(2εx), Y = y/x and Z = z/x, and a term of the series ε²K̂₈ = Z/(4N²−1) + Σ t_j.
+/// The series ε²K̂₈ = Z/(4N²−1) + Σ t_j, where t_j is the value of `t` after j steps.
 const SERIES: &str = "
     u := 1/(2*eps*x); N := 1/(2*eps*x); Y := y/x; Z := z/x;
     t := 2*(Y + next(Y) + 2*Y*next(Y))/((4*N^2 - 1)*(2*N + 3))";
@@ -21,7 +21,7 @@ const SOLUTION: &str = "
     solution(n, prefactor) := tau*(4*n*(n + 2*tau)*(beta^2*tau + beta + gamma) + 4*tau^2*gamma - gamma)
         /(2*eps*(4*tau^2 - 1)*N(n)) - prefactor*(4*N(n)^2 - 1)/(2*eps*N(n))*V(n)";
 
-/// The formulas of `SOLUTION` with U = U(n), V = V(n). The call `step(F)` is F at the next point.
+/// The formulas of `SOLUTION` without arguments: U is U(n), and V is V(n). `step(F)` is F at n + 1.
 const STEP: &str = "
     N := n + tau; X := 1/(2*eps*N); Y := (tau*beta - U)/(2*eps*N);
     Z := tau*(4*n*(n + 2*tau)*(beta^2*tau + beta + gamma) + 4*tau^2*gamma - gamma)/(2*eps*(4*tau^2 - 1)*N)
@@ -36,7 +36,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y - 1/(N + 1/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + Y + next(Y) + 2*Y*next(Y)
 ";
 
-/// Claims about the solution. Those named `….step` hold for one step from an arbitrary point.
+/// Claims about the solution. If a name ends in `.step`, the claim is about a single step.
 const SOLUTIONS: &str = "
 x | (b12), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 U | U_n as a sum | U(0) = 0; U(n + 1) = U(n) + 1/(N(n) + 1/2); U(4) = sum(j, 0, 3, 1/(j + tau + 1/2))

@@ -38,10 +38,10 @@ fixed_points.slopes | the slopes at the fixed points: of one sign for xi > 0, of
     on(d(f1, x), 0, 0, z) = -z; on(d(f2, y), 0, 0, z) = -xi*z; on(d(f3, z), 0, 0, z) = 0
 ";
 
-/// Definition of w = 1/x² on an orbit for ξ = 2.
+/// Defines w = 1/x² on an orbit for ξ = 2 as a function of the time t, with constants k, b and K.
 const W_DEFINITION: &str = "w := 2/k^2 + b*(exp(k*t) + exp(-k*t)); K := sqrt(k^2*b^2 - 1/k^2)";
 const ORBIT: &str = "x := 1/sqrt(w); y := K/w; z := d(w, t)/(2*w)";
-/// Definition of u = 1/y² for ξ = 1/2.
+/// Defines u = 1/y² on an orbit for ξ = 1/2 as a function of the time t, with constants k and b.
 const U_DEFINITION: &str = "u := 2/k^2 + b*(exp(k*t/2) + exp(-k*t/2))";
 
 /// The orbits of E9 in closed form for ξ = 2, 1/2 and 0.

@@ -42,7 +42,7 @@ theorem3.e1.tau | Theorem 3, i = 1, tau | tau = 1/(2*eps*X(0))
 theorem3.e2.tau | Theorem 3, i = 2, tau | tau = 1/(2*eps*X(0))
 ";
 
-/// The values of H and K in terms of s = sn²δ and k².
+/// The integrals h = 2ε²H and g = 2ε²K in terms of s = sn²δ and k2 = k², where k is the modulus.
 const VALUES: &str = "
     c := 1 - s; d2 := 1 - k2*s;
     h := (1 - k2)*s/(2 - (1 + k2)*s); g := 1 - 2*c*d2/(c + d2)";
@@ -53,7 +53,7 @@ theorem3.e4.delta |
     k2 = (g - h)*(1 + h)/((g + h)*(1 - h))
 ";
 
-/// Claims that every state of a level set lies on the curve of an orbit.
+/// Definitions for the claim that a solution passes through each point of a level set of H and K.
 const POINT: &str = "
     h := 2*eps^2*x*y/(1 + eps^2*(x^2 + y^2)); g := eps^2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
     s := (g + h)/(1 + h); k2 := (g - h)*(1 + h)/((g + h)*(1 - h)); c := 1 - s; d2 := 1 - k2*s";

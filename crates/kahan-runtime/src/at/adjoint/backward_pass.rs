@@ -10,11 +10,11 @@ use super::Gradient;
 use super::terms::Terms;
 
 /// If solving with the transpose of A enlarges the gradient by more than this factor, det A is
-/// nearly 0, and dual numbers are used instead.
+/// nearly 0, and the stage is differentiated by dual numbers.
 const LARGEST_GROWTH: f64 = 1024.0;
 
 pub(super) struct BackwardPass<'a, T: RuntimeFloat> {
-    /// For each distinct coefficient γ of the composition: Kahan's map at γε, and γ.
+    /// Kahan's map at γε, with γ, for each distinct coefficient γ of the composition.
     distinct: Vec<(MapAt<T>, T)>,
     /// The terms of the field; `None` if coefficients depend on ε.
     terms: Option<Terms<T>>,
@@ -63,7 +63,7 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
         }
     }
 
-    /// Propagates `gradient.start` back over the last step in `points`, and removes this step.
+    /// Propagates `gradient.start` back over the last step, and removes the step's points.
     pub(super) fn take_step(&mut self, points: &mut Vec<T>, gradient: &mut Gradient<T>) {
         let n = gradient.start.len();
         for k in (0..self.stages()).rev() {
@@ -86,7 +86,8 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
             self.take_by_duals(stage, x, gradient);
         } else {
             let half = T::one() / (T::one() + T::one());
-            // For f(x) = c + Bx + Q(x,x), c + ½B(x + x̃) + Q(x,x̃) equals c + ½Bx + ½f′(x)x̃.
+            // For the field f(x) = c + Bx + Q(x,x), the right-hand side c + ½B(x + x̃) + Q(x,x̃) of
+            // the step equals c + ½Bx + ½f′(x)x̃.
             let mut along = terms.along_linear(x, mu);
             gradient.start.copy_from_slice(mu);
             for (((i, j), before), behind) in solver.entries().iter().zip(&*before).zip(&*behind) {

@@ -132,7 +132,7 @@ impl<T: RuntimeFloat> MapAt<T> {
                     return Ok(Followed { report: None, end: End::Stopped(left) });
                 }
             }
-            // A single sum over all segments between checkpoints would lose more digits.
+            // Each segment between checkpoints has its own sum. A single sum would lose digits.
             let mut part = Gradient::zero(0, total.parameters.len());
             std::mem::swap(&mut part.start, &mut total.start);
             let mut told = left;

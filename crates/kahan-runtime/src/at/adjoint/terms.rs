@@ -17,12 +17,12 @@ type States = [Option<usize>; 2];
 #[derive(Debug)]
 pub(super) struct Terms<T> {
     entries: Vec<(T, usize)>,
-    /// The linear terms k·x of f′, grouped by entry of f′: the index of the state x, and k.
+    /// The linear terms k·x of each entry of f′ in turn: the index of the state x, and k.
     slopes: Vec<(usize, T)>,
     /// The constant and linear terms of f: component, state if any, and coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
     /// The terms whose coefficients depend on parameters: component, states, and the index in
-    /// `by_parameters` at which the term's derivatives end.
+    /// `by_parameters` behind the term's last derivative.
     varying: Vec<(usize, States, usize)>,
     /// The derivatives of the coefficients in `varying`: the index of the parameter, and the
     /// number.
@@ -38,7 +38,7 @@ struct Coefficient {
 
 impl Coefficient {
     fn add(&mut self, number: &Rational, powers: &[(usize, u32)], values: &[Rational]) {
-        // Computes the monomial, with the exponent of the factor `lowered` reduced by 1.
+        // Computes `number` times all powers. For `Some(i)`, the i-th exponent is reduced by 1.
         let product = |lowered: Option<usize>| {
             powers.iter().enumerate().fold(number.clone(), |product, (place, (k, power))| {
                 let power = power - u32::from(lowered == Some(place));
@@ -151,8 +151,8 @@ impl<T: RuntimeFloat> Terms<T> {
         })
     }
 
-    /// For each parameter a, adds 2·`scale`·(`mu` · ∂q(x,y)/∂a) to its entry of `sums`, where
-    /// q(x,x̃) = (x̃ − x)/2ε is the polarised field.
+    /// For each parameter a, adds 2·`scale`·(`mu` · ∂q(x,y)/∂a) to its entry of `sums`, where q is
+    /// the polarised field in Kahan's step (x̃ − x)/2ε = q(x,x̃).
     pub(super) fn add_by_parameters(&self, scale: T, [x, y]: [&[T]; 2], mu: &[T], sums: &mut [T]) {
         let mut first = 0;
         for (i, states, end) in &self.varying {

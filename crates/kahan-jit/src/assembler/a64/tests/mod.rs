@@ -1,5 +1,4 @@
 //! Compares instructions with the words that GNU binutils produces for the text above a test case.
-//! Parentheses after the text say which register an index of [`Vector`] names.
 
 mod memory;
 mod operations;
@@ -190,7 +189,7 @@ fn a_jump_beyond_its_reach_is_never_written() {
 
 #[test]
 fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
-    // ldr s0, .+64; ldr d0, .+64; ldr q0, .+64 twice
+    // ldr s0, .+64; ldr d0, .+64; ldr q0, .+64; ldr q0, .+64
     for (form, word) in [(S, 0x1c00_0200), (D, 0x5c00_0200), (S4, 0x9c00_0200), (D2, 0x9c00_0200)] {
         let mut assembler = Assembler::new(form);
         let entry = assembler.constant(0x8000_0000_3f80_0000);
@@ -206,7 +205,7 @@ fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
 
 #[test]
 fn long_code_finds_its_numbers_by_their_page() {
-    // adrp x16, two pages on; ldr d0, [x16, #16]
+    // adrp x16, .+8192; then ldr d0, ldr s0 or ldr q0 from [x16, #16]
     for (form, near) in [(D, 0xfd40_0a00), (S, 0xbd40_1200), (D2, 0x3dc0_0600)] {
         let mut assembler = Assembler::new(form);
         let instructions = 50_000;
