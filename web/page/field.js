@@ -90,7 +90,7 @@ async function refresh() {
   $('lifting').hidden = !state.lift || !(reply.mistake || reply.lifted)
   $('which-lift').value = state.lift
   $('first').textContent = `${reply.lifts ? 'Lift or correct the field first.' : 'Correct the field first.'} The picture is of the field before.`
-  $('mistake').textContent = reply.mistake || ''
+  $('mistake').textContent = `${reply.mistake || ''}${reply.lifts ? `help: press “${$('lift').textContent}”` : ''}`
   $('field').setAttribute('aria-invalid', String(Boolean(reply.mistake)))
   for (const id of ['rest', 'picture']) $(id).disabled = Boolean(reply.mistake)
   if (reply.mistake) return

@@ -130,8 +130,13 @@ impl Asker {
         if self.last.as_ref().is_none_or(|(last, _)| *last != subject) {
             let read: Subject = read(subject.clone())?;
             let study = read.study_to_show(&Systems);
-            let study =
-                study.map_err(|error| Mistake { lifts: read.calls_for_a_lift(), ..Mistake::from(error) });
+            let study = study.map_err(|error| match error {
+                // The page offers the lift itself, by a button.
+                StudyError::Field(mistakes) if read.calls_for_a_lift() => {
+                    Mistake { said: mistakes.without_help().to_string(), lifts: true }
+                }
+                error => Mistake::from(error),
+            });
             self.last = Some((subject, study?));
             self.at_step = None;
         }

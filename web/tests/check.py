@@ -122,7 +122,8 @@ def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
         assert tab.page.is_hidden("#offer") and tab.page.is_hidden("#lifted")
         tab.page.fill("#field", PENDULUM)
         tab.waits("!document.querySelector('#offer').hidden")
-        assert "sin(…)" in tab.text("#mistake")
+        said = tab.text("#mistake")
+        assert "sin(…)" in said and tab.text("#lift") in said and "kahan lift" not in said and "docs/" not in said, said
         tab.page.click("#lift")
         tab.waits(LIFTED)
         assert tab.page.is_hidden("#mistake") and tab.page.evaluate("document.activeElement.id") == "h-lift"
