@@ -48,6 +48,7 @@ function fields() {
   const [crossed = '', level] = state.section
   $('crossed').value = crossed
   if (crossed) put('level', level)
+  $('section').hidden = !crossed && pointVariables().length < 3
   put('at', state.at[state.picked] || '')
   put('slider', Math.round(100 * (Math.log10(Math.abs(eps)) + 4)))
   $('slider').setAttribute('aria-valuetext', `ε = ${state.eps}, Δt = ${short(2 * eps)}`)

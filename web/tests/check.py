@@ -81,7 +81,9 @@ def sections_are_near_those_of_the_command(browser, kahan):
         # Between two steps of Δt = 1/200 a line differs from the orbit by at most Δt²/8 of a second
         # derivative, which is below 10⁴ on the attractor.
         assert all(abs(x - y) < 1e4 / 200**2 / 8 for point, own in zip(section, zip(*columns), strict=True) for x, y in zip(point, own, strict=True))
-        tab.page.click("#more summary")
+        # The controls of the section stand between the picture and the plot below it.
+        above, own, below = [tab.page.locator(one).bounding_box()["y"] for one in ["#portrait", "#crossed", "#drift"]]
+        assert above < own < below, (above, own, below)
         tab.page.select_option("#crossed", "")
         tab.waits("!document.querySelector('#ended').textContent.includes('crossings')")
     print(f"a section has the {len(section)} crossings of the command")
