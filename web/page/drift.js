@@ -32,36 +32,37 @@ function drift(canvas, time, orbits, relations, whole, share) {
   const drawn = sheet(canvas, [[Math.min(0, end), Math.max(0, end)], [FLOOR, Math.min(top, 6) + 1]])
   axes(drawn, ['t', ''], tick => (Number.isInteger(tick) ? `10${raised(tick)}` : ''), 30)
   for (const { paint, stroke, heights } of curves) {
-    path(drawn, heights.filter(([t]) => Math.abs(t) <= share * Math.abs(end)).map(([t, height]) => [t, Math.min(height, drawn.window[1][1])]), paint, stroke?.[1])
+    path(drawn, heights.filter(([t]) => Math.abs(t) <= share * Math.abs(end)), paint, stroke?.[1])
   }
 }
 
 // Steps of an orbit against the time, as many as can be told apart.
 const SERIES = 400
 
-// A variable against the time along orbits, up to a row.
+// A variable against the time along orbits, up to a row, and no further than it is in reach.
 function series(canvas, name, orbits, place, until) {
   const from = Math.max(0, until - SERIES)
-  const parts = orbits.map(({ columns, paint }) => ({ paint, ts: columns[1].subarray(from, Math.max(until, from + 2)), values: columns[place].subarray(from, until) }))
+  const parts = orbits.map(({ columns, paint, escaped }) => ({ paint, ts: columns[1].subarray(from, Math.max(until, from + 2)), values: columns[place].subarray(from, Math.min(until, (escaped ?? until) + 1)) }))
   const times = parts[0].ts
   const whole = Math.abs(times[1] - times[0]) * SERIES * Math.sign(times[1] - times[0] || 1)
   const [low, high] = span([parts[0].values], [-Infinity, Infinity], 0)
   const room = 0.3 * (high - low) || 1
   const drawn = sheet(canvas, [[Math.min(times[0], times[0] + whole), Math.max(times[0], times[0] + whole)], [low - room, high + room]])
   axes(drawn, ['t', name])
-  const clipped = value => Math.min(high + room, Math.max(low - room, value))
-  for (const { paint, ts, values } of parts) path(drawn, Array.from(values, (value, k) => [ts[k], clipped(value)]).filter(([, value]) => Number.isFinite(value)), paint)
+  for (const { paint, ts, values } of parts) path(drawn, Array.from(values, (value, k) => [ts[k], value]).filter(([, value]) => Math.abs(value) < 1e100), paint)
 }
 
-// A line through points.
-function path({ context, x, y }, points, paint, dashes = []) {
+// A line through points, inside the frame.
+function path(drawn, points, paint, dashes = []) {
+  const { context, x, y } = drawn
+  beginInside(drawn)
   context.strokeStyle = colour(paint)
   context.lineWidth = 1.6
   context.setLineDash(dashes)
   context.beginPath()
-  for (const [across, upwards] of points) context.lineTo(x(across), Math.max(MARGIN.top, y(upwards)))
+  for (const [across, upwards] of points) context.lineTo(x(across), y(upwards))
   context.stroke()
-  context.setLineDash([])
+  context.restore()
 }
 
 // The orbit of each method from the picked first point, the map's own first.

@@ -31,10 +31,7 @@ function drawPlane(drawn) {
   const { answer } = inPlane
   if (!answer || answer.axes.join() !== axes.join()) return
   const { context } = drawn
-  context.save()
-  context.beginPath()
-  context.rect(MARGIN.left, MARGIN.top, drawn.width - MARGIN.left - MARGIN.right, drawn.height - MARGIN.top - MARGIN.bottom)
-  context.clip()
+  beginInside(drawn)
   const [across, upwards] = GRID
   const [us, vs, ...integrals] = Array.from({ length: answer.columns.length / (across * upwards) }, (_, k) => answer.columns.subarray(k * across * upwards, (k + 1) * across * upwards))
   const place = ([column, row]) => [column, row].map((at, k) => answer.window[k][0] + (answer.window[k][1] - answer.window[k][0]) * (at + 0.5) / GRID[k])
