@@ -77,7 +77,7 @@ function arrows({ context, x, y }, us, vs, place) {
 // The curves on which an integral has the values that it has along the orbits.
 function levels(drawn, integral, place) {
   const own = lastDrawn.filter(({ method, integrals }) => method === 'kahan' && integrals.length)
-  $('levelled').textContent = integral && own.length ? `Curves on which ${own[0].names[own[0].integrals[0]]} has the values of the first points.` : 'No integral is known.'
+  $('levelled').textContent = integral && own.length ? `Curves on which ${own[0].names[own[0].integrals[0]]} has the values of the first points.` : unknown()
   if (!integral) return
   for (const { columns, integrals } of own) zeros(drawn, integral.map(value => value - columns[integrals[0]][0]), place, '--soft')
 }
