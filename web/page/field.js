@@ -129,6 +129,8 @@ function reading() {
 function showLift() {
   $('lifted').hidden = !lifted
   if (!lifted) return
+  // A tangent vector of a lifted field is in more variables than its orbit.
+  $('exponents').hidden = Boolean(lifted)
   set('lift-shown', lifted.html)
   $('growing').hidden = !lifted.warning
   $('growing').textContent = lifted.warning ? `Note: ${lifted.warning}.` : ''

@@ -89,6 +89,25 @@ def sections_are_near_those_of_the_command(browser, kahan):
     print(f"a section has the {len(section)} crossings of the command")
 
 
+def the_exponent_is_that_of_the_command(browser, kahan):
+    lorenz = "xdot = 10*(y - x);\nydot = 28*x - y - x*z;\nzdot = x*y - 8/3*z;"
+    given = ["--field", lorenz, "--eps", "1/400", "--at", "1,1,1", "--steps", "4000", "--observe", "lyapunov", "--json"]
+    expected = json.loads(command(kahan, "dynamics", *given))
+    with Tab(browser, address(field=lorenz, eps="1/400", at="1,1,1")) as tab:
+        tab.waits(DRAWN)
+        asked = "workers.exponent.ask(subject(), {ask: 'exponent', eps: '1/400', at: ['1', '1', '1'], steps: 4000})"
+        answer = tab.page.evaluate(f"async () => (await {asked}).answer")
+        assert [answer["value"], answer["error"]] == [expected["lyapunov"], expected["lyapunov_error"]], (answer, expected)
+        tab.page.click("#exponent")
+        tab.waits("document.querySelector('#exponent-shown').textContent.includes('from 1,1,1')")
+        assert f"λ = {answer['value']:.3g}," in tab.text("#exponent-shown"), tab.text("#exponent-shown")
+    # A lift has more variables than the orbit, so no exponent is offered.
+    with Tab(browser, address(field=NEURON, lift="automatic")) as tab:
+        tab.waits(LIFTED)
+        assert tab.page.is_hidden("#exponent")
+    print(f"the largest Lyapunov exponent is that of the command, {answer['value']:.3g}")
+
+
 def the_script_is_the_commands(browser, kahan):
     with Tab(browser, address(field=E6)) as tab:
         tab.opened()
@@ -460,6 +479,7 @@ CHECKS = [
     findings_are_those_of_the_command,
     bits_are_those_of_the_command,
     sections_are_near_those_of_the_command,
+    the_exponent_is_that_of_the_command,
     the_script_is_the_commands,
     mistakes_are_the_macros,
     what_is_not_quadratic_is_lifted_by_one_click,
