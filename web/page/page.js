@@ -41,6 +41,8 @@ function wire() {
 }
 
 async function begin() {
+  lead.start()
+  foresee()
   wire()
   undoable()
   const { answer, mistake } = await lead.ask(undefined, { ask: 'style' })
