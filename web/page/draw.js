@@ -109,15 +109,21 @@ function squares({ context, x, y, width, height, margin }, sets) {
   }
 }
 
-// Points of an orbit that lines join, at most.
-const JOINED = 300
-
-// Joins the points of short orbits, in the order of their steps, inside the frame.
-function joined({ context, x, y, width, height }, sets) {
+// Drawing ends at the frame from here until the context is restored.
+function beginInside({ context, width, height }) {
   context.save()
   context.beginPath()
   context.rect(MARGIN.left, MARGIN.top, width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom)
   context.clip()
+}
+
+// Points of an orbit that lines join, at most.
+const JOINED = 300
+
+// Joins the points of short orbits, in the order of their steps, inside the frame.
+function joined(drawn, sets) {
+  const { context, x, y } = drawn
+  beginInside(drawn)
   context.globalAlpha = 0.45
   context.lineWidth = 1
   for (const { xs, ys, paint, isSection } of sets) {
@@ -131,7 +137,7 @@ function joined({ context, x, y, width, height }, sets) {
 }
 
 // Draws orbits, and a ring of the orbit's colour at each first point; the ring of the picked orbit
-// is filled. The returned sheet maps pointer positions to coordinates.
+// is filled, and lies above the others. The returned sheet maps pointer positions to coordinates.
 function portrait(canvas, window, drawAxes, sets, starts, picked, rings) {
   const drawn = sheet(canvas, window)
   points(drawn, sets)
@@ -141,16 +147,17 @@ function portrait(canvas, window, drawAxes, sets, starts, picked, rings) {
   drawn.context.globalCompositeOperation = 'source-over'
   joined(drawn, sets)
   drawn.context.lineWidth = 2
-  starts.forEach(([x, y], k) => {
-    const [px, py] = [drawn.x(x), drawn.y(y)]
-    if (px < MARGIN.left || px > drawn.width - MARGIN.right || py < MARGIN.top || py > drawn.height - MARGIN.bottom) return
+  const inOrder = [...starts.keys()].sort((one, other) => (one === picked) - (other === picked))
+  for (const k of inOrder) {
+    const [px, py] = [drawn.x(starts[k][0]), drawn.y(starts[k][1])]
+    if (px < MARGIN.left || px > drawn.width - MARGIN.right || py < MARGIN.top || py > drawn.height - MARGIN.bottom) continue
     drawn.context.beginPath()
     drawn.context.arc(px, py, 6, 0, 7)
     drawn.context.strokeStyle = colour(rings[k])
     drawn.context.fillStyle = colour(k === picked ? rings[k] : '--paper')
     drawn.context.fill()
     drawn.context.stroke()
-  })
+  }
   return drawn
 }
 

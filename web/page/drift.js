@@ -32,36 +32,37 @@ function drift(canvas, time, orbits, relations, whole, share) {
   const drawn = sheet(canvas, [[Math.min(0, end), Math.max(0, end)], [FLOOR, Math.min(top, 6) + 1]])
   axes(drawn, ['t', ''], tick => (Number.isInteger(tick) ? `10${raised(tick)}` : ''), 30)
   for (const { paint, stroke, heights } of curves) {
-    path(drawn, heights.filter(([t]) => Math.abs(t) <= share * Math.abs(end)).map(([t, height]) => [t, Math.min(height, drawn.window[1][1])]), paint, stroke?.[1])
+    path(drawn, heights.filter(([t]) => Math.abs(t) <= share * Math.abs(end)), paint, stroke?.[1])
   }
 }
 
 // Steps of an orbit against the time, as many as can be told apart.
 const SERIES = 400
 
-// A variable against the time along orbits, up to a row.
+// A variable against the time along orbits, up to a row, and no further than it is in reach.
 function series(canvas, name, orbits, place, until) {
   const from = Math.max(0, until - SERIES)
-  const parts = orbits.map(({ columns, paint }) => ({ paint, ts: columns[1].subarray(from, Math.max(until, from + 2)), values: columns[place].subarray(from, until) }))
+  const parts = orbits.map(({ columns, paint, escaped }) => ({ paint, ts: columns[1].subarray(from, Math.max(until, from + 2)), values: columns[place].subarray(from, Math.min(until, (escaped ?? until) + 1)) }))
   const times = parts[0].ts
   const whole = Math.abs(times[1] - times[0]) * SERIES * Math.sign(times[1] - times[0] || 1)
   const [low, high] = span([parts[0].values], [-Infinity, Infinity], 0)
   const room = 0.3 * (high - low) || 1
   const drawn = sheet(canvas, [[Math.min(times[0], times[0] + whole), Math.max(times[0], times[0] + whole)], [low - room, high + room]])
   axes(drawn, ['t', name])
-  const clipped = value => Math.min(high + room, Math.max(low - room, value))
-  for (const { paint, ts, values } of parts) path(drawn, Array.from(values, (value, k) => [ts[k], clipped(value)]).filter(([, value]) => Number.isFinite(value)), paint)
+  for (const { paint, ts, values } of parts) path(drawn, Array.from(values, (value, k) => [ts[k], value]).filter(([, value]) => Math.abs(value) < 1e100), paint)
 }
 
-// A line through points.
-function path({ context, x, y }, points, paint, dashes = []) {
+// A line through points, inside the frame.
+function path(drawn, points, paint, dashes = []) {
+  const { context, x, y } = drawn
+  beginInside(drawn)
   context.strokeStyle = colour(paint)
   context.lineWidth = 1.6
   context.setLineDash(dashes)
   context.beginPath()
-  for (const [across, upwards] of points) context.lineTo(x(across), Math.max(MARGIN.top, y(upwards)))
+  for (const [across, upwards] of points) context.lineTo(x(across), y(upwards))
   context.stroke()
-  context.setLineDash([])
+  context.restore()
 }
 
 // The orbit of each method from the picked first point, the map's own first.
@@ -72,25 +73,33 @@ function drawDrift() {
   const kahan = orbits.find(({ method }) => method === 'kahan')
   if (!kahan || !$('drift').clientWidth) return
   const measured = orbits.filter(({ integrals }) => integrals.length)
-  const integrals = measured.length ? measured[0].integrals.map(k => measured[0].names[k]).join(', ') : ''
+  const integrals = measured.length ? measured[0].integrals.map(k => measured[0].names[k]) : []
   $('seeing').textContent = seeing(orbits)
   const has = Boolean(measured.length || relationErrors.length)
   if (has) {
     $('drifting').replaceChildren(...drifting(integrals))
-    $('drift').setAttribute('aria-label', ['Drift of', integrals || 'nothing', ...(relationErrors.length ? ['and errors of', lifted.relations.join('; ')] : [])].join(' '))
+    $('drift').setAttribute('aria-label', ['Drift of', integrals.join(', ') || 'nothing', ...(relationErrors.length ? ['and errors of', lifted.relations.join('; ')] : [])].join(' '))
     drift($('drift'), kahan.columns[1], measured, relationErrors, 2 * valueOf(kahan.eps) * state.steps, shownRows(state.steps + 1) / (state.steps + 1))
     return
   }
   const name = state.axes.findLast(axis => axis !== 't')
-  $('drifting').replaceChildren(`${name} against the time. No integral is known that could drift.`)
+  $('drifting').replaceChildren(`${name} against the time. ${unknown()}`)
   $('drift').setAttribute('aria-label', `${name} against the time from ${kahan.at}`)
   const count = played < 1 ? shownRows(state.steps + 1) : SERIES
   series($('drift'), name, orbits, 2 + pointVariables().indexOf(name), Math.min(Math.max(count, 2), kahan.columns[0].length))
 }
 
+// The sentence where no integral is drawn.
+function unknown() {
+  const lines = searched?.lines
+  if (!lines) return `No integral is known yet: press “${$('search').textContent}” to search.`
+  if (lines.some(line => line.startsWith('integral '))) return 'The integrals that were found have no value along this orbit.'
+  return `The search found no integral${lines.length ? '; what it found stands under “What does it keep?”' : ''}.`
+}
+
 // One sentence on each method: what the pictures show.
 function seeing(orbits) {
-  const parts = orbits.filter(({ method }) => method !== 'flow').map(({ method, integrals, columns, names, escaped }) => {
+  const parts = orbits.filter(({ method }) => method !== 'flow').map(({ method, integrals, columns, escaped }) => {
     const called = METHODS[method][0]
     if (escaped !== null) return `${called} escapes after ${escaped} steps`
     if (!integrals.length) return ''
@@ -98,29 +107,37 @@ function seeing(orbits) {
       const [values, size] = [columns[k], Math.abs(columns[k][0]) || 1]
       return values.reduce((most, value) => Math.max(most, Math.abs(value - values[0]) / size), 0)
     }))
-    const list = integrals.map(k => names[k]).join(', ')
-    return worst < 1e-8 ? `${called} keeps ${list} to ${short(Number(worst.toPrecision(1)))}` : `${called} changes ${method === 'kahan' ? list : 'it'} by ${short(Number(worst.toPrecision(1)))}`
+    const [what, again] = integrals.length > 1 ? [`the ${integrals.length} integrals`, 'them'] : ['the integral', 'it']
+    return `${called} ${worst < 1e-8 ? `keeps ${what} to` : `changes ${method === 'kahan' ? what : again} by`} ${short(Number(worst.toPrecision(1)))}`
   }).filter(Boolean)
   const said = parts.length ? `${parts.join('; ')}, in ${state.steps} steps of Δt = ${short(2 * valueOf(state.eps))}.` : ''
   const own = CLASSICAL.find(({ field }) => field === state.field)
   return [own?.seen, said, 'Try: make ε larger, or drag a ring.'].filter(Boolean).join(' ')
 }
 
-// The lines of the drift plot.
-function drifting(integrals) {
-  const said = integrals ? [`Largest relative change of ${integrals} along the picked orbit${relationErrors.length ? ', and' : ''}`] : []
-  if (!relationErrors.length) return said
-  const list = document.createElement('ul')
-  list.append(...lifted.relations.map((relation, k) => {
-    const [item, line, code] = ['li', 'span', 'code'].map(name => document.createElement(name))
+// Characters of a formula beside the plot, at most.
+const MOST_SHOWN = 240
+
+// The lines of the drift plot: the integrals with their formulas, and the relations of a lift.
+function drifting(names) {
+  const item = (text, stroke) => {
+    const [made, line, code] = ['li', 'span', 'code'].map(name => document.createElement(name))
+    code.textContent = text.length > MOST_SHOWN ? `${text.slice(0, MOST_SHOWN)}…` : text
+    made.append(code)
+    if (!stroke) return made
     line.className = 'line'
-    line.style.borderTopStyle = strokeOf(k).stroke[0]
-    line.style.borderTopColor = `var(${strokeOf(k).paint})`
-    code.textContent = relation
-    item.append(line, code)
-    return item
-  }))
-  return [...said, integrals ? ' errors of the relations of the lift:' : 'Errors of the relations of the lift along the picked orbit:', list]
+    Object.assign(line.style, { borderTopStyle: stroke.stroke[0], borderTopColor: `var(${stroke.paint})` })
+    made.prepend(line)
+    return made
+  }
+  const claims = sheetOf.claims.filter(({ kind, name }) => kind === 'integral' && names.includes(name)).map(({ statement }) => statement)
+  const formulas = names.length ? (claims.length ? claims : searched?.integrals || []) : []
+  const relations = relationErrors.length ? lifted.relations : []
+  const list = document.createElement('ul')
+  list.append(...formulas.map(text => item(text)), ...relations.map((text, k) => item(text, strokeOf(k))))
+  const change = names.length ? [`the largest relative change of ${names.join(', ')}`] : []
+  const errors = relations.length ? ['the errors of the relations of the lift'] : []
+  return [`Along the picked orbit, ${[...change, ...errors].join(', and ')}${list.children.length ? ':' : '.'}`, list]
 }
 
 // --- The time until which orbits are drawn

@@ -13,7 +13,9 @@ class Asker {
   #worker = null
   #waiting = null
 
-  #start() {
+  // Starts the worker before it is asked, so that the first reply does not wait for it.
+  start() {
+    if (this.#worker) return
     const worker = this.#worker = new Worker(workerText)
     compiled.then(module => worker.postMessage({ module }), () => {})
     worker.onmessage = ({ data }) => this.#waiting?.hears(data)
@@ -30,19 +32,20 @@ class Asker {
     this.#waiting = null
   }
 
-  get isBusy() { return this.#waiting !== null }
-
   // Ends what is asked now; its reply is null.
   stop() { if (this.#waiting) this.#end(null) }
 
   // The reply to a question about a subject: {answer, html, columns} or {mistake}, or null where
-  // another question has overtaken it.
+  // another question has overtaken it. A question that is asked twice is answered once.
   async ask(subject, question, hears = () => {}) {
+    const text = JSON.stringify({ subject, question })
+    if (this.#waiting?.text === text) return this.#waiting.reply
     this.stop()
-    if (!this.#worker) this.#start()
+    this.start()
     const worker = this.#worker
-    return new Promise(ends => {
+    const reply = new Promise(ends => {
       this.#waiting = {
+        text,
         ends,
         hears: data => {
           if (!data.reply) return hears(data)
@@ -51,9 +54,11 @@ class Asker {
         },
       }
       compiled.then(
-        () => worker.postMessage({ question: JSON.stringify({ subject, question }) }),
+        () => worker.postMessage({ question: text }),
         error => this.#end({ mistake: `This browser cannot run the page: ${error.message}` }),
       )
     })
+    this.#waiting.reply = reply
+    return reply
   }
 }

@@ -50,7 +50,13 @@ function open() {
   if ($('gallery').selectedIndex < 0) $('gallery').value = ''
   fitted = null
   forget()
+  foresee()
   return refresh()
+}
+
+// The first orbit is computed while the field is read, where ε and a first point are known.
+function foresee() {
+  if (state.field && state.eps && state.at.length) mover.ask(subject(), orbitFrom(state.at[0], 'kahan', state.eps))
 }
 
 // The field is another one, and so are ε, the first points and the axes.
@@ -90,13 +96,12 @@ async function refresh() {
   $('lifting').hidden = !state.lift || !(reply.mistake || reply.lifted)
   $('which-lift').value = state.lift
   $('first').textContent = `${reply.lifts ? 'Lift or correct the field first.' : 'Correct the field first.'} The picture is of the field before.`
-  $('mistake').textContent = reply.mistake || ''
+  $('mistake').textContent = `${reply.mistake || ''}${reply.lifts ? `help: press “${$('lift').textContent}”` : ''}`
   $('field').setAttribute('aria-invalid', String(Boolean(reply.mistake)))
   for (const id of ['rest', 'picture']) $(id).disabled = Boolean(reply.mistake)
   if (reply.mistake) return
   lastDrawn = []
   sheetOf = { ...reply.answer, parameters: reply.parameters }
-  const own = sheetOf
   lifted = reply.lifted
   showLift()
   set('formulas', reply.html)
@@ -104,9 +109,7 @@ async function refresh() {
   state.shows = Object.fromEntries(Object.entries(state.shows).filter(([name]) => reply.parameters.includes(name)))
   say('read', reading())
   parameters(reply.parameters)
-  // Formulas are painted before more work begins; a tab behind others paints nothing.
-  await new Promise(ends => { requestAnimationFrame(ends); setTimeout(ends, 100) })
-  if (sheetOf !== own) return
+  mover.start()
   if (isWanted) search()
   if ($('jacobian').open) await jacobian()
   await orbitsAnew()
@@ -127,6 +130,8 @@ function reading() {
 }
 
 function showLift() {
+  // A tangent vector of a lifted field is in more variables than its orbit.
+  $('exponents').hidden = Boolean(lifted)
   $('lifted').hidden = !lifted
   if (!lifted) return
   set('lift-shown', lifted.html)

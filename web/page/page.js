@@ -1,6 +1,6 @@
 // The page as a whole: its parts are wired, and what is asked for first is shown.
 const [lead, mover, follower, firstly, planner] = Array.from({ length: 5 }, () => new Asker())
-const workers = { search: new Asker(), heights: new Asker(), poles: new Asker() }
+const workers = { search: new Asker(), exponent: new Asker(), heights: new Asker(), poles: new Asker() }
 const $ = id => document.getElementById(id)
 let state = readAddress()
 
@@ -41,6 +41,8 @@ function wire() {
 }
 
 async function begin() {
+  lead.start()
+  foresee()
   wire()
   undoable()
   const { answer, mistake } = await lead.ask(undefined, { ask: 'style' })

@@ -31,10 +31,7 @@ function drawPlane(drawn) {
   const { answer } = inPlane
   if (!answer || answer.axes.join() !== axes.join()) return
   const { context } = drawn
-  context.save()
-  context.beginPath()
-  context.rect(MARGIN.left, MARGIN.top, drawn.width - MARGIN.left - MARGIN.right, drawn.height - MARGIN.top - MARGIN.bottom)
-  context.clip()
+  beginInside(drawn)
   const [across, upwards] = GRID
   const [us, vs, ...integrals] = Array.from({ length: answer.columns.length / (across * upwards) }, (_, k) => answer.columns.subarray(k * across * upwards, (k + 1) * across * upwards))
   const place = ([column, row]) => [column, row].map((at, k) => answer.window[k][0] + (answer.window[k][1] - answer.window[k][0]) * (at + 0.5) / GRID[k])
@@ -80,7 +77,7 @@ function arrows({ context, x, y }, us, vs, place) {
 // The curves on which an integral has the values that it has along the orbits.
 function levels(drawn, integral, place) {
   const own = lastDrawn.filter(({ method, integrals }) => method === 'kahan' && integrals.length)
-  $('levelled').textContent = integral && own.length ? `Curves on which ${own[0].names[own[0].integrals[0]]} has the values of the first points.` : 'No integral is known.'
+  $('levelled').textContent = integral && own.length ? `Curves on which ${own[0].names[own[0].integrals[0]]} has the values of the first points.` : unknown()
   if (!integral) return
   for (const { columns, integrals } of own) zeros(drawn, integral.map(value => value - columns[integrals[0]][0]), place, '--soft')
 }

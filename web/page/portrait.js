@@ -48,6 +48,7 @@ function fields() {
   const [crossed = '', level] = state.section
   $('crossed').value = crossed
   if (crossed) put('level', level)
+  $('section').hidden = !crossed && pointVariables().length < 3
   put('at', state.at[state.picked] || '')
   put('slider', Math.round(100 * (Math.log10(Math.abs(eps)) + 4)))
   $('slider').setAttribute('aria-valuetext', `ε = ${state.eps}, Δt = ${short(2 * eps)}`)
@@ -101,14 +102,15 @@ async function relations(asked) {
 // Steps of the flow, which is computed to all digits, at most.
 const FLOW_STEPS = 2000
 
+const orbitFrom = (at, method, eps) => ({ ask: 'orbit', eps, at: at.split(','), steps: method === 'flow' ? Math.min(state.steps, FLOW_STEPS) : state.steps, method })
+
 // Kahan's map takes all first points; what it is compared with takes the picked one.
 async function orbits(asker, methods) {
   const [sheet, asked, { at: starts, picked, eps }] = [sheetOf, measured(), state]
   const made = []
   for (const method of methods) {
     for (const at of method === 'kahan' ? starts : starts.slice(picked, picked + 1)) {
-      const steps = method === 'flow' ? Math.min(state.steps, FLOW_STEPS) : state.steps
-      const reply = await asker.ask(asked, { ask: 'orbit', eps, at: at.split(','), steps, method })
+      const reply = await asker.ask(asked, orbitFrom(at, method, eps))
       if (!reply || sheet !== sheetOf) return
       // An integral that was found may have no value here; the orbit has one all the same.
       if (reply.mistake && searched?.integrals?.length) { searched.integrals = []; return orbits(asker, methods) }

@@ -1,4 +1,4 @@
-// What the map keeps, heights, poles: long work, each in a worker of its own.
+// What the map keeps, exponents, heights, poles: long work, each in a worker of its own.
 let searched = null // the subject of the search, its equations and what was found
 let isWanted = false // whether a search begins as soon as the field has no mistake
 
@@ -27,7 +27,7 @@ function forget(changed) {
 }
 
 // Asks while a button says so; pressed once more, the button ends it. A double click is one press.
-async function long(id, question, shows, hears = () => {}) {
+async function long(id, question, shows, hears = () => {}, about = subject()) {
   const [button, begun] = [$(id), performance.now()]
   if (button.classList.contains('running')) {
     if (begun - Number(button.dataset.begun) > 500) workers[id].stop()
@@ -40,11 +40,11 @@ async function long(id, question, shows, hears = () => {}) {
   let look = null
   const clock = () => {
     const { what, done, of } = look || {}
-    const seconds = `${Math.round((performance.now() - begun) / 1000)} s of ${question.seconds}`
+    const seconds = `${Math.round((performance.now() - begun) / 1000)} s${question.seconds ? ` of ${question.seconds}` : ''}`
     stage.textContent = what ? `${of ? `${done} of ${of} ${what}` : `${what} …`} (${seconds})` : seconds
   }
   const ticking = setInterval(clock, 1000)
-  const reply = await workers[id].ask(subject(), question, data => {
+  const reply = await workers[id].ask(about, question, data => {
     if (data.look) { look = data.look; clock() }
     hears(data)
   })
@@ -185,6 +185,13 @@ function measured() {
 function wireSearch() {
   for (const made of document.querySelectorAll('[data-found]')) made.onclick = () => copyFound(made.dataset.found)
   $('search').onclick = search
+  $('exponent').onclick = () => {
+    const { eps, at, picked, steps } = state
+    long('exponent', { ask: 'exponent', eps, at: at[picked]?.split(',') || [], steps }, ({ answer: { value, error, steps } }) => {
+      const number = value => (value === null ? 'unknown' : short(Number(value.toPrecision(3))))
+      $('exponent-shown').textContent = `λ = ${number(value)}, converged to about ${number(error)}, in ${steps} steps of Δt = ${short(2 * valueOf(eps))} from ${at[picked]}.`
+    }, undefined, pictured(subject()))
+  }
   $('heights').onclick = () => long('heights', { ask: 'heights', eps: state.eps, at: state.at[state.picked]?.split(',') || [], steps: 60, digits: 20000, seconds: 10 }, ({ answer, html }) => {
     set('heights-shown', html)
     $('heights-stage').textContent = `Growth is ${answer.growth}, over ${answer.steps} steps.`

@@ -2,8 +2,12 @@
 //!
 //! Questions are read by name, because the enum `Question` would double the size of the module.
 
+use std::ops::ControlFlow;
+
 use kahan_algebra::rational::Rational;
+use kahan_core::observe::Lyapunov;
 use kahan_draw::document::style_sheet;
+use kahan_runtime::{Follow, Followed};
 use kahan_study::{
     Answer, Discover, Heights, Lift, Orbit, Orbited, Poles, Show, ShowForm, StoredColumn, Study, StudyError,
     Subject, Systems, Watch, list,
@@ -73,8 +77,8 @@ impl Reply {
 impl Asker {
     /// Answers a question in a text: `{"subject": …, "question": {"ask": …}}`.
     ///
-    /// Besides questions of `kahan-study`, the page asks `list`, `style`, `scene`, `plane` and
-    /// `relations`.
+    /// Besides questions of `kahan-study`, the page asks `list`, `style`, `scene`, `plane`,
+    /// `relations` and `exponent`.
     pub fn ask(&mut self, text: &str, watch: &dyn Watch) -> Answered {
         match self.reply(text, watch) {
             Ok(Reply { answer, html, parameters, values, lifted, columns }) => {
@@ -116,6 +120,7 @@ impl Asker {
                 orbit(&self.study_of_orbit(&asked)?, &asked, watch)?
             }
             Some("relations") => relations(study, &read(question)?)?,
+            Some("exponent") => exponent(study, &read(question)?)?,
             Some("discover") => {
                 Reply::of(Answer::Discover(Box::new(read::<Discover>(question)?.ask(study, watch)?)))
             }
@@ -130,8 +135,13 @@ impl Asker {
         if self.last.as_ref().is_none_or(|(last, _)| *last != subject) {
             let read: Subject = read(subject.clone())?;
             let study = read.study_to_show(&Systems);
-            let study =
-                study.map_err(|error| Mistake { lifts: read.calls_for_a_lift(), ..Mistake::from(error) });
+            let study = study.map_err(|error| match error {
+                // The page offers the lift itself, by a button.
+                StudyError::Field(mistakes) if read.calls_for_a_lift() => {
+                    Mistake { said: mistakes.without_help().to_string(), lifts: true }
+                }
+                error => Mistake::from(error),
+            });
             self.last = Some((subject, study?));
             self.at_step = None;
         }
@@ -231,6 +241,16 @@ fn relations(study: &Study, asked: &Orbit) -> Result<Reply, StudyError> {
     };
     let columns = seen.errors.iter().flat_map(padded).collect();
     Ok(Reply { answer: json!({"rows": PARTS}), columns, ..Reply::default() })
+}
+
+/// Returns the largest Lyapunov exponent of an orbit, its error, and the steps that were made.
+fn exponent(study: &Study, asked: &Orbit) -> Result<Reply, StudyError> {
+    let map = study.map()?.at(asked.eps.to_f64());
+    let mut x: Vec<f64> = study.point(&asked.at)?.iter().map(Rational::to_f64).collect();
+    let followed = map.observe(&mut x, asked.steps, Lyapunov::new(&map), |_| ControlFlow::Continue(()));
+    let Followed { report, end } = followed.expect("the point is of the field");
+    let answer = json!({"value": report.value, "error": report.error, "steps": end.steps(asked.steps)});
+    Ok(Reply { answer, ..Reply::default() })
 }
 
 fn heights(study: &Study, asked: &Heights, watch: &dyn Watch) -> Result<Reply, StudyError> {

@@ -4,7 +4,7 @@
 //! `columns`. A later call makes these pointers invalid.
 #![allow(unsafe_code)]
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ops::ControlFlow;
 use std::time::Duration;
 
@@ -33,7 +33,13 @@ impl Watch for Page {
         Some(Duration::from_secs_f64(now() / 1e3))
     }
 
+    /// Passes on at most ten counts a second, because some orbits count each step.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        let time = now();
+        if progress.of.is_some() && time - LAST_LOOK.get() < 100.0 {
+            return ControlFlow::Continue(());
+        }
+        LAST_LOOK.set(time);
         let text = json!({"what": progress.what, "done": progress.done, "of": progress.of}).to_string();
         look(text.as_ptr(), text.len());
         ControlFlow::Continue(())
@@ -54,6 +60,8 @@ struct State {
 }
 
 thread_local! {
+    /// The time in milliseconds at which progress was passed on last.
+    static LAST_LOOK: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
     static STATE: RefCell<State> = RefCell::default();
 }
 

@@ -81,10 +81,31 @@ def sections_are_near_those_of_the_command(browser, kahan):
         # Between two steps of Δt = 1/200 a line differs from the orbit by at most Δt²/8 of a second
         # derivative, which is below 10⁴ on the attractor.
         assert all(abs(x - y) < 1e4 / 200**2 / 8 for point, own in zip(section, zip(*columns), strict=True) for x, y in zip(point, own, strict=True))
-        tab.page.click("#more summary")
+        # The controls of the section stand between the picture and the plot below it.
+        above, own, below = [tab.page.locator(one).bounding_box()["y"] for one in ["#portrait", "#crossed", "#drift"]]
+        assert above < own < below, (above, own, below)
         tab.page.select_option("#crossed", "")
         tab.waits("!document.querySelector('#ended').textContent.includes('crossings')")
     print(f"a section has the {len(section)} crossings of the command")
+
+
+def the_exponent_is_that_of_the_command(browser, kahan):
+    lorenz = "xdot = 10*(y - x);\nydot = 28*x - y - x*z;\nzdot = x*y - 8/3*z;"
+    given = ["--field", lorenz, "--eps", "1/400", "--at", "1,1,1", "--steps", "4000", "--observe", "lyapunov", "--json"]
+    expected = json.loads(command(kahan, "dynamics", *given))
+    with Tab(browser, address(field=lorenz, eps="1/400", at="1,1,1")) as tab:
+        tab.waits(DRAWN)
+        asked = "workers.exponent.ask(subject(), {ask: 'exponent', eps: '1/400', at: ['1', '1', '1'], steps: 4000})"
+        answer = tab.page.evaluate(f"async () => (await {asked}).answer")
+        assert [answer["value"], answer["error"]] == [expected["lyapunov"], expected["lyapunov_error"]], (answer, expected)
+        tab.page.click("#exponent")
+        tab.waits("document.querySelector('#exponent-shown').textContent.includes('from 1,1,1')")
+        assert f"λ = {answer['value']:.3g}," in tab.text("#exponent-shown"), tab.text("#exponent-shown")
+    # A lift has more variables than the orbit, so no exponent is offered.
+    with Tab(browser, address(field=NEURON, lift="automatic")) as tab:
+        tab.waits(LIFTED)
+        assert tab.page.is_hidden("#exponent")
+    print(f"the largest Lyapunov exponent is that of the command, {answer['value']:.3g}")
 
 
 def the_script_is_the_commands(browser, kahan):
@@ -122,7 +143,8 @@ def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
         assert tab.page.is_hidden("#offer") and tab.page.is_hidden("#lifted")
         tab.page.fill("#field", PENDULUM)
         tab.waits("!document.querySelector('#offer').hidden")
-        assert "sin(…)" in tab.text("#mistake")
+        said = tab.text("#mistake")
+        assert "sin(…)" in said and tab.text("#lift") in said and "kahan lift" not in said and "docs/" not in said, said
         tab.page.click("#lift")
         tab.waits(LIFTED)
         assert tab.page.is_hidden("#mistake") and tab.page.evaluate("document.activeElement.id") == "h-lift"
@@ -457,6 +479,7 @@ CHECKS = [
     findings_are_those_of_the_command,
     bits_are_those_of_the_command,
     sections_are_near_those_of_the_command,
+    the_exponent_is_that_of_the_command,
     the_script_is_the_commands,
     mistakes_are_the_macros,
     what_is_not_quadratic_is_lifted_by_one_click,

@@ -14,13 +14,16 @@ use kahan_algebra::render::{place, report};
 pub struct Diagnostics {
     mistakes: Vec<Diagnostic>,
     places: Vec<[usize; 2]>,
+    /// The paragraphs of the first mistakes, without their help texts.
     reports: Vec<String>,
 }
 
 impl Diagnostics {
     pub(crate) fn new(mistakes: Vec<Diagnostic>, text: &str, ranges: &[Range<usize>], origin: &str) -> Self {
         const MAX_SHOWN: usize = 8;
-        let reports = mistakes.iter().take(MAX_SHOWN).map(|mistake| report(mistake, text, ranges, origin));
+        let bare = |mistake: &Diagnostic| Diagnostic { help: String::new(), ..mistake.clone() };
+        let shown = mistakes.iter().take(MAX_SHOWN);
+        let reports = shown.map(|mistake| report(&bare(mistake), text, ranges, origin));
         let places = mistakes.iter().map(|mistake| place(mistake, text, ranges));
         Diagnostics { places: places.collect(), reports: reports.collect(), mistakes }
     }
@@ -36,11 +39,23 @@ impl Diagnostics {
     pub fn places(&self) -> &[[usize; 2]] {
         &self.places
     }
+
+    /// Removes the help texts, for a caller that offers a correction of its own.
+    #[must_use]
+    pub fn without_help(mut self) -> Self {
+        self.mistakes.iter_mut().for_each(|mistake| mistake.help.clear());
+        self
+    }
 }
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.reports.iter().try_for_each(|report| f.write_str(report))?;
+        for (report, mistake) in self.reports.iter().zip(&self.mistakes) {
+            f.write_str(report)?;
+            if !mistake.help.is_empty() {
+                writeln!(f, "help: {}", mistake.help)?;
+            }
+        }
         match self.mistakes.len() - self.reports.len() {
             0 => Ok(()),
             more => writeln!(f, "error: {more} more mistakes are not shown"),

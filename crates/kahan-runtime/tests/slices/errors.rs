@@ -19,6 +19,8 @@ fn mistakes_of_a_text_come_with_their_line() {
     let many = Field::parse(&many).unwrap_err();
     assert_eq!(many.mistakes().len(), 12);
     assert!(many.to_string().ends_with("error: 4 more mistakes are not shown\n"), "{many}");
+    assert!(text.contains("\nhelp: "), "{text}");
+    assert_eq!(why.without_help().to_string(), text[..text.find("help: ").expect("a help text")]);
 }
 
 #[test]
