@@ -82,7 +82,7 @@ pub(crate) enum CoordinateDefinition {
     Root(Laurent, i16),
     /// A power of a polynomial with an exponent that depends on parameters.
     Power(Laurent, RationalFunction),
-    /// A polynomial that occurs often.
+    /// A sum that occurs often in the field and becomes one variable.
     Sum(Laurent),
 }
 

@@ -355,7 +355,7 @@ impl Study {
         let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
         let new = lifted.lift.embed(&floats(&states), &floats(&own));
         let undefined = lifted.lift.new.iter().zip(&new).find(|(_, value)| !value.is_finite());
-        // Rounding may make all new variables finite; the error then names the first of them.
+        // The exact value is undefined, but all floats may be finite: the first variable is named.
         let (new, _) = undefined.or_else(|| lifted.lift.new.iter().zip(&new).next()).expect("a new variable");
         Err(StudyError::NotEmbedded {
             variable: new.name.clone(),

@@ -88,8 +88,8 @@ pub trait Indicator<const K: usize> {
     /// The type of the report.
     type Report;
 
-    /// Whether the indicator needs every step. Otherwise it gets the steps 0, 1, …, [`PAUSE`],
-    /// 2·[`PAUSE`], ….
+    /// Whether the indicator needs every step. Otherwise it gets all steps up to [`PAUSE`],
+    /// and then each [`PAUSE`]-th.
     const LOOKS_AT_EACH: bool;
 
     /// Creates the indicator from the squared lengths of the vectors at the first point.

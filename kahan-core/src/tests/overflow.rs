@@ -115,7 +115,7 @@ impl KahanMap<f64, 2> for Clock {
 
 #[test]
 fn one_overflowing_denominator_is_seen_beside_components_that_move() {
-    // (1 + 2εx)·εx overflows, and x seems constant.
+    // The denominator (1 + 2εx)·εx overflows, so a computed increment of 0 would leave x as it is.
     let (x, eps) = (vector![1e-50_f64, 0.0], 1e220);
     assert_eq!(Clock.step(&x, eps), vector![1e-50, 2e220]);
     let next = Clock.try_step(&x, eps).unwrap();

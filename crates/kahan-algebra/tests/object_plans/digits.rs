@@ -316,7 +316,7 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
 
 struct Draw {
     random: SplitMix64,
-    /// Differences of nearly equal parameters are drawn with about one of these sizes.
+    /// The typical sizes from which differences of nearly equal parameters are drawn.
     nearness: &'static [f64],
 }
 

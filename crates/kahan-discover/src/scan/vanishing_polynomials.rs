@@ -39,7 +39,7 @@ const POINT_CHOICES: usize = 3000;
 const MOST_NAMES: usize = 4;
 const HIGHEST_DEGREE: u32 = 3;
 const LARGEST: u64 = 1000;
-/// The most special points from which candidates are made.
+/// The largest number of special points from which candidates are made.
 const MOST_POINTS: usize = 600;
 
 /// Finds polynomials that vanish at special points, the simplest first. Special points at which a

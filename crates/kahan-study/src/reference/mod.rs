@@ -91,7 +91,7 @@ impl Reference {
         &self.flow
     }
 
-    /// Returns the evidence for the trajectory.
+    /// Returns the evidence that the trajectory is accurate.
     pub fn certificate(&self) -> Certificate {
         self.certificate
     }

@@ -197,7 +197,7 @@ impl FactoredMap<'_> {
             row.iter().chain([&right]).map(|entry| writer.entry(entry, FormGoal::Few)).collect()
         };
         let mut rows: Vec<Vec<MatrixEntry>> = matrix.iter().zip(&self.field.components).map(row).collect();
-        // Only three rows are rotated (for two, `last` is 1). Their determinant stays the same.
+        // A rotation of three rows keeps their determinant. Two rows stay, since `last` is 1.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)
     }

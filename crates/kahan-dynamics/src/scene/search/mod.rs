@@ -67,7 +67,7 @@ pub struct SearchParameters {
     pub aim: f64,
     /// The number of steps that the law error ∝ ε^order predicts is multiplied by this.
     pub surplus: f64,
-    /// Whether numbers of steps are skipped once errors follow the law error ∝ ε^order. Plots that
+    /// Whether the search skips numbers of steps once errors follow error ∝ ε^order. Plots that
     /// need many trials set `false`.
     pub leaps: bool,
     /// The trials of a scheme stop if the predicted cost of an accepted setting exceeds the
