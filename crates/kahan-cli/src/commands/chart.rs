@@ -16,7 +16,7 @@ use super::command_line::{CommandLine, QuestionCommand};
 use super::dynamics::radius;
 use super::image_options::{ImageOptions, OutFile, usual};
 use crate::printing::{Answer, ProgressDisplay, UsageError, csv};
-use crate::reading::{self, Start, Stepping, Transient, observable, whole};
+use crate::reading::{self, Rounding, Start, Stepping, Transient, observable, whole};
 
 use rows::Rows;
 
@@ -89,6 +89,9 @@ pub(crate) struct Chart {
     #[command(flatten)]
     stepping: Stepping,
 
+    #[command(flatten)]
+    rounding: Rounding,
+
     /// The output file: F.svg, F.png, F.pdf or F.csv.
     #[arg(long, value_name = "F")]
     out: PathBuf,
@@ -160,7 +163,7 @@ impl QuestionCommand for Chart {
         let axes = self.over.iter().map(|over| reading::over(over));
         let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
         let (study, at, eps) = self.start.study_over(&axes)?;
-        let study = study.fusing(self.stepping.fused)?;
+        let study = study.fusing(self.rounding.fused)?;
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let observe = Observe {

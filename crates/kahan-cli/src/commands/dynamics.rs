@@ -8,7 +8,7 @@ use kahan_study::{Observable, Observe, Observed, ObservedValue, Study};
 use super::command_line::QuestionCommand;
 use crate::printing::layout::{paragraphs, screen_width, table};
 use crate::printing::{Answer, ProgressDisplay, UsageError};
-use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, observable, order, whole};
+use crate::reading::{MOST_OBSERVED, Rounding, Start, Stepping, Transient, observable, order, whole};
 
 /// Measures exponents, chaos indicators and drift along an orbit: also rotation, range and escape.
 ///
@@ -80,6 +80,9 @@ pub(crate) struct Dynamics {
     #[command(flatten)]
     stepping: Stepping,
 
+    #[command(flatten)]
+    rounding: Rounding,
+
     /// The observables to compute, in this order, separated by commas.
     ///
     /// The default is all of them except final and passed_poles.
@@ -101,7 +104,7 @@ impl QuestionCommand for Dynamics {
 
     fn read_question(&self) -> Result<(Study, Observe), UsageError> {
         let (study, at, eps) = self.start.study()?;
-        let study = study.fusing(self.stepping.fused)?;
+        let study = study.fusing(self.rounding.fused)?;
         let Dynamics { before, steps, order, renormalize, spectrum, escape, stepping, ref observe, .. } =
             *self;
         let (transient, reembed, observe) = (before.transient, stepping.reembed, observe.clone());

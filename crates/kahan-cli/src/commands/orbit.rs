@@ -15,7 +15,7 @@ use serde_json::json;
 
 use super::command_line::QuestionCommand;
 use crate::printing::{Answer, Npy, OutputStream, UsageError};
-use crate::reading::{Start, Stepping, Transient, one_of, order, scalar, whole};
+use crate::reading::{Rounding, Start, Stepping, Transient, one_of, order, scalar, whole};
 
 /// Prints an orbit of a system's map as CSV: step n, time t = 2 eps n, variables, integrals.
 ///
@@ -82,9 +82,9 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
     order: u32,
 
-    /// The method of a step; each method advances the time by 2 eps.
+    /// The method.
     ///
-    /// The other methods serve for comparison with Kahan's map. `euler` and `rk4` are explicit
+    /// Each step advances the time by 2 eps. The other methods serve for comparison with Kahan's map. `euler` and `rk4` are explicit
     /// methods. `flow` is the exact solution, by Taylor series in double-double arithmetic, for up
     /// to 8 variables. For all three, the integrals are those of the flow (the claims at eps = 0).
     #[arg(long, value_name = "M", value_parser = one_of(&Method::ALL, |of| PossibleValue::new(of.name()).help(of.meaning())), default_value = "kahan")]
@@ -103,6 +103,9 @@ pub(crate) struct Orbit {
 
     #[command(flatten)]
     stepping: Stepping,
+
+    #[command(flatten)]
+    rounding: Rounding,
 
     /// Print only every K-th point: n = 0, K, 2K, ….
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MAX_STEPS))]
@@ -169,7 +172,7 @@ impl QuestionCommand for Orbit {
 impl Orbit {
     /// Returns the field, with fused steps if --fused is given.
     fn stepped(&self, study: &Study) -> Result<Study, UsageError> {
-        let fused = self.stepping.fused;
+        let fused = self.rounding.fused;
         if fused && (self.method != Method::Kahan || self.scalar == ScalarKind::Exact) {
             return Err(UsageError::new(
                 "--fused is for steps of Kahan's map in floats: leave --method and --scalar exact out",

@@ -153,7 +153,6 @@ impl Picture {
     pub(super) fn read_question(&self) -> Result<(Study, PictureRequest), UsageError> {
         let kind = self.kind()?;
         let study = self.source.proved(self.at.first().map(String::as_str))?;
-        let study = study.fusing(self.stepping.fused)?;
         let what = match kind {
             Kind::Portrait => PictureContent::Portrait,
             Kind::Section => {

@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 
 use super::command_line::QuestionCommand;
 use crate::printing::{Answer, Format, OutputStream, ProgressDisplay, Table, UsageError, WriteError, warn};
-use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, one_of, order, over, whole};
+use crate::reading::{MOST_OBSERVED, Rounding, Start, Stepping, Transient, one_of, order, over, whole};
 
 /// Prints where orbits cross a section, as CSV: step n, time t, variables.
 ///
@@ -78,6 +78,9 @@ pub(crate) struct Section {
     #[command(flatten)]
     stepping: Stepping,
 
+    #[command(flatten)]
+    rounding: Rounding,
+
     /// Write the table to this file, which appears when it is complete.
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
@@ -98,7 +101,7 @@ impl QuestionCommand for Section {
         } else {
             self.start.starts_over(&axes)?
         };
-        let study = study.fusing(self.stepping.fused)?;
+        let study = study.fusing(self.rounding.fused)?;
         let at = if starts.len() == 1 { starts.swap_remove(0) } else { Vec::new() };
         let (plane, direction) =
             section(&study, self.plane.as_deref(), self.maxima.as_deref(), self.direction)?;

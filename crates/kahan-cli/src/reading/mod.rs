@@ -13,7 +13,7 @@ mod values;
 pub(crate) use block::Block;
 pub(crate) use points::{is_number_file, point, points};
 pub(crate) use results::{columns, not_started, sweeper};
-pub(crate) use source::{ONE_WORD, Source, Start, StepLength, Stepping, Transient};
+pub(crate) use source::{ONE_WORD, Rounding, Source, Start, StepLength, Stepping, Transient};
 pub(crate) use study::option;
 pub(crate) use values::{axis, named, number, observable, one_of, order, over, scalar, seconds, whole};
 

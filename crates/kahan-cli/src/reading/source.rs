@@ -143,12 +143,16 @@ pub(crate) struct Stepping {
     /// step where the projection does not converge.
     #[arg(long)]
     pub(crate) reembed: bool,
+}
 
+/// The rounding of products and sums in steps.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct Rounding {
     /// Fuse multiply-adds: 3 to 14 % faster, with other last digits.
     ///
     /// Each product and its sum are rounded once. The digits are the same on every processor with
     /// fused operations. Without this option, no operation is fused.
-    #[arg(long, hide_short_help = true, conflicts_with = "reembed")]
+    #[arg(long, conflicts_with = "reembed")]
     pub(crate) fused: bool,
 }
 
