@@ -254,7 +254,7 @@ pub(crate) struct ThreadColumns<'a, T: Float> {
     eps: &'a [T],
     parameters: Vec<&'a [T]>,
     caller: &'a Caller,
-    /// How each trajectory ended, or `Complete` if it goes on; empty before the first step.
+    /// The end of each trajectory, or `Complete` if it goes on; empty before the first step.
     ends: Vec<End>,
     /// The number of steps, of which `untold` are not yet reported.
     pub(crate) made: u64,

@@ -14,7 +14,7 @@ use crate::table::array;
 
 /// The columns of a table, each with name, meaning and values.
 type Columns<'py> = Vec<(String, String, Bound<'py, PyAny>)>;
-/// How each orbit ended, and for each orbit the numbers of steps, crossings and jumps.
+/// The end of each orbit, and for each orbit the numbers of steps, crossings and jumps.
 type Ends<'py> = (Vec<&'static str>, [Bound<'py, PyAny>; 3]);
 
 #[pymethods]

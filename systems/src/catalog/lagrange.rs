@@ -1,7 +1,6 @@
-//! The Lagrange top in the body frame, with the angular momentum m, the direction p of gravity, and
-//! the parameters al and g of the system below. With `d = al (al-1) m3^2 - g p3`,
-//! `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and `D1 = 1 + eps^2 d`, the map
-//! preserves m3 and
+//! The Lagrange top in the body frame, with angular momentum m and direction p of gravity. With
+//! `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and
+//! `D1 = 1 + eps^2 d`, the map preserves m3 and
 //!
 //! - `H = m1^2 + m2^2 - 2 d - eps^2 |v|^2`,
 //! - `J = (w - m3 d)/D1`,

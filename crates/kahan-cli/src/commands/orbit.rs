@@ -84,9 +84,10 @@ pub(crate) struct Orbit {
 
     /// The method.
     ///
-    /// Each step advances the time by 2 eps. The other methods serve for comparison with Kahan's map. `euler` and `rk4` are explicit
-    /// methods. `flow` is the exact solution, by Taylor series in double-double arithmetic, for up
-    /// to 8 variables. For all three, the integrals are those of the flow (the claims at eps = 0).
+    /// Each step advances the time by 2 eps. The other methods serve for comparison with Kahan's
+    /// map. `euler` and `rk4` are explicit methods. `flow` is the exact solution, by Taylor series
+    /// in double-double arithmetic, for up to 8 variables. For all three, the integrals are those
+    /// of the flow (the claims at eps = 0).
     #[arg(long, value_name = "M", value_parser = one_of(&Method::ALL, |of| PossibleValue::new(of.name()).help(of.meaning())), default_value = "kahan")]
     method: Method,
 

@@ -29,8 +29,8 @@ pub(super) struct TriangularSystem {
     components: Vec<Polynomial>,
     /// The expression of each state in drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// For each drift F: the symbol for F, F as a function of the states, and the next value of F as a
-    /// function of the symbols of the drifts.
+    /// For each drift F: the symbol for F, F as a function of the states, and the next value of F
+    /// as a function of the symbols of the drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 

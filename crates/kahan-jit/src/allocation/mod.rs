@@ -120,7 +120,7 @@ fn constants_in_registers(program: &Program, plan: RoundPlan, most: usize) -> Ve
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        // Code that does not write states runs only once: to keep a constant in a register gains nothing.
+        // Code that does not write states runs once: a constant kept in a register gains nothing.
         Instruction::Constant(_) => plan.ends != ResultDestination::Elsewhere,
         _ => false,
     };
