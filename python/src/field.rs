@@ -230,6 +230,7 @@ impl Field {
     /// with other parameter values; the two fields share plans and compiled code.
     #[new]
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, fused = false, of = None))]
+    #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn new(
         py: Python<'_>,
         text: FieldSource<'_>,
