@@ -16,7 +16,8 @@ use crate::stability::{ErrorGrowth, Orbit};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LiftCriterion {
     /// The first of the following that exists: an energy lift; a lift whose relations the map
-    /// preserves; a lift in which errors of relations do not grow; the smallest lift.
+    /// preserves; a lift in which errors of relations do not grow, or grow least;
+    /// without a start, the smallest lift.
     #[default]
     Automatic,
     /// An energy lift of a mechanical system.

@@ -68,7 +68,7 @@ fn compensated_sums_are_fused_from_the_first_step() {
 fn columns_of_fused_maps_are_fused_orbits() {
     for (text, start) in FIELDS {
         let Some([_, fused]) = fused(text) else { return };
-        // In one or two variables, ensembles divide once for several trajectories; digits differ.
+        // A single step of the field of two variables divides twice, and a step of columns once.
         if start.len() < 3 {
             continue;
         }
