@@ -5,8 +5,8 @@
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! Values with a `let` and states of kernels are cloned at each use except the last. Other inputs
-//! and constants are always cloned. Operations keep the order of the plan.
+//! Values with a `let` and states of kernels are cloned at each use except the last. Other inputs,
+//! such as prepared constants, are always cloned. Operations keep the order of the plan.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};

@@ -1,4 +1,5 @@
-//! Proves rational relations modulo primes and over ℚ. Large relations are checked at exact points.
+//! Proves rational relations modulo primes and over ℚ. Relations that are too large for
+//! both are checked at exact points.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +19,7 @@ const MOST_TERMS: usize = 20_000;
 /// The greatest number of multiplications of terms in an expansion over ℚ, about a second's work.
 const MOST_WORK: u64 = 2_000_000;
 
-/// The number of exact points at which a relation is checked if it is too large to be expanded.
+/// The number of exact points at which a relation is checked if it is too large for a proof.
 const EXACT_POINTS: u32 = 12;
 
 type Point = BTreeMap<String, Rational>;

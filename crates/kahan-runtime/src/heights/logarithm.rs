@@ -1,7 +1,7 @@
 //! Logarithms of big integers, accurate to the last digits of `f64`.
 //!
-//! If m has b bits, log m = b·log 2 + log(m/2ᵇ), where m/2ᵇ is taken from the top 128 bits. Below
-//! 2⁵³ the logarithm of m as `f64` is taken, so that log 1 = 0.
+//! If m has b bits, log m = b·log 2 + log(m/2ᵇ), where m/2ᵇ is taken from the top three words.
+//! Below 2⁵³ the logarithm of m as `f64` is taken, so that log 1 = 0.
 
 use std::f64::consts::{LN_2, LN_10};
 

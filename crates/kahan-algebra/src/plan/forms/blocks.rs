@@ -9,8 +9,8 @@
 //! (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in
 //! ```
 //!
-//! Beside large entries, elimination loses digits. The set S is then left empty
-//! ([accuracy](crate::plan::accuracy)).
+//! Beside large entries, elimination loses digits. If too many are lost, forms
+//! with an empty set S are tried ([accuracy](crate::plan::accuracy)).
 
 mod solve;
 
