@@ -62,7 +62,7 @@ class Discovery(Answer):
         of_text = searched.parameters.items()
         own = [f"{name} = {value};" for name, value in of_text if value is not None and name in names - set(given)]
         given = {name: value for name, value in given.items() if name in names}
-        return searched._of("\n".join([*own, equations, *self.claims]), False, None, given)
+        return searched._of("\n".join([*own, equations, *self.claims]), False, None, given, fused=searched.fused)
 
     @property
     def integrals(self) -> dict[str, Formula]:

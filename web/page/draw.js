@@ -29,7 +29,7 @@ function sheet(canvas, window, margin = MARGIN) {
   }
 }
 
-// Round numbers between two ends, about so many.
+// Returns about `count` round numbers between two ends.
 function ticks([low, high], count) {
   const rough = (high - low) / count
   const power = 10 ** Math.floor(Math.log10(rough))
@@ -68,8 +68,8 @@ function axes({ context, ratio, width, height, window, x, y }, names, written = 
   context.fillText(names[1], 4, MARGIN.top + 2)
 }
 
-// Draws points as squares that are the smaller the more there are, and wider by so many pixels as
-// their set says.
+// Draws points as squares, smaller ones if there are more points. A set may make its squares wider
+// by a number of pixels.
 function points(sheet, sets) {
   const { context, ratio, x, y } = sheet
   if (context instanceof VectorCanvas) { squares(sheet, sets); return }

@@ -145,7 +145,7 @@ function drifting(names) {
 let played = 1 // the place of the slider, from 0 to 1
 let playing = 0 // the frame that is asked for next, or 0
 
-// Rows of so many that are shown: few in the first seconds, so that single steps are seen.
+// The number of rows shown while the picture plays: few at first, so that single steps are seen.
 const shownRows = rows => (played >= 1 ? rows : Math.max(2, Math.ceil(played ** 3 * rows)))
 
 // Milliseconds from the first step to the last.

@@ -1,4 +1,4 @@
-// What the map keeps, exponents, heights, poles: long work, each in a worker of its own.
+// The sections that take long: invariants, exponents, heights and poles. Each has its own worker.
 let searched = null // the subject of the search, its equations and what was found
 let isWanted = false // whether a search begins as soon as the field has no mistake
 

@@ -59,7 +59,7 @@ function edges({ context, ratio, x, y }, names, box, see) {
   })
 }
 
-// Turns the box by so many pixels of a pointer.
+// Turns the box as a pointer moves by `across` and `upwards` pixels.
 function turn(across, upwards, act = 'turn') {
   const [about, above] = state.turn
   const half = Math.PI / 2

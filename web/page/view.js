@@ -49,7 +49,7 @@ function look(view, act) {
   requestAnimationFrame(() => { isDrawing = false; drawPortrait() })
 }
 
-// The view so many times as wide around a point that stays where it is.
+// Makes the view `times` as wide; the given point of the canvas keeps its place.
 function zoom(times, [px, py] = [frame.width / 2, frame.height / 2], act = 'zoom') {
   const point = frame.point(px, py)
   const view = (state.view || frame.window).map(([low, high], k) => [low, high].map(end => point[k] + (end - point[k]) * times))
@@ -57,7 +57,7 @@ function zoom(times, [px, py] = [frame.width / 2, frame.height / 2], act = 'zoom
   if (view.every(([low, high]) => high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high)) && high - low < 1e100)) look(view, act)
 }
 
-// The view moved by so many pixels.
+// Moves the view by `across` and `upwards` pixels.
 function pan(across, upwards, act = 'pan') {
   const by = [[frame.width, MARGIN.left + MARGIN.right, -across], [frame.height, MARGIN.top + MARGIN.bottom, upwards]]
   look((state.view || frame.window).map(([low, high], k) => {

@@ -150,6 +150,9 @@ fn suggestion(error: &clap::Error) -> Option<&'static str> {
         (ErrorKind::UnknownArgument, "--reembed") => Some(
             "it projects the steps of an orbit in f64: orbit, dynamics, section, chart and picture take it",
         ),
+        (ErrorKind::UnknownArgument, "--fused") => Some(
+            "it fuses multiply-adds in the steps of an orbit: orbit, dynamics, section and chart take it",
+        ),
         (ErrorKind::UnknownArgument, _) if is_number => Some(ONE_WORD),
         _ => None,
     }

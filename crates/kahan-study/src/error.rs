@@ -309,7 +309,7 @@ impl StudyError {
             ),
             Self::NoFusedSteps { system } => write!(
                 f,
-                "{system} has no fused steps: they are machine code of a field of few terms, on a processor with fused multiply-adds; \
+                "{system} has no fused steps: they need a processor with fused multiply-adds, and a step without elimination; \
                  leave {} out",
                 named("fused")
             ),

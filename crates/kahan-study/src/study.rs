@@ -211,7 +211,7 @@ impl Study {
         self.coordinates().iter().map(|state| named(self.given_text().start(), state)).collect()
     }
 
-    /// Returns the given value of each parameter, or if there is none, the value in the text.
+    /// Returns the value of each parameter: the given value, or else the value in the text.
     #[must_use]
     pub fn valued(&self) -> Vec<Option<Rational>> {
         let own = |name| named(self.given_text().parameters(), name);

@@ -112,7 +112,7 @@ where
     let up = T::constant(&Constant::integer(1 << SCALING_EXPONENT));
     let down = T::one() / up;
     let mut exponent = 0;
-    // The limit ends the loop in every case; so many scalings span the range of `f64`.
+    // This number of scalings spans the range of `f64`, so the loop needs no more.
     for _ in 0..2 * 1100 / SCALING_EXPONENT {
         let squared = square(vector.as_slice());
         if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {

@@ -39,8 +39,8 @@ pub(crate) fn pfaffian_density(
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
-/// Finds the density of least degree. If there is none, and det(I − t f′) is even in t (`is_even`),
-/// returns 1/det(I − ε f′), which is then a density of the field f.
+/// Finds the density of least degree. If the search finds no density and det(I − t f′) is even in t
+/// (`is_even`), returns 1/det(I − ε f′), which is then a density of the map of the field f.
 pub(crate) fn densities(
     searched: &SearchField,
     claims: &Claims<'_>,

@@ -206,7 +206,7 @@ impl<'a> Allocator<'a> {
             (self.source_register(a), a)
         } else {
             // The result gets a new register. An operand in memory is loaded into the register. If
-            // there is none, the addend is copied.
+            // all operands are in registers, the addend is copied.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {

@@ -36,7 +36,8 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
     }
 }
 
-/// Returns the index of a move whose target is the source of no move, or 0 if there is none.
+/// Returns the index of a move whose target is not the source of any move. If the moves form
+/// cycles only, returns 0.
 fn next(moves: &[(Vector, Source<ValueLocation>)]) -> Option<usize> {
     let is_free = |(to, _): &(Vector, Source<ValueLocation>)| {
         !moves.iter().any(|(_, source)| *source == Source::Register(*to))

@@ -8,8 +8,8 @@ use kahan_systems::special::Float256;
 
 pub(super) type Solution = Box<dyn Fn(Dd) -> Vec<Dd>>;
 
-/// Returns the closed-form solution through `start` of a catalog system; `None` if there is none,
-/// or if `start` lies outside its domain.
+/// Returns the closed-form solution through `start` of a catalog system; `None` if the solution is
+/// unknown, or if `start` lies outside its domain.
 pub(super) fn closed_solution(
     command: &str,
     parameters: &[BigRational],

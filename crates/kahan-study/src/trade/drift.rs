@@ -10,7 +10,7 @@ use super::runner::Runner;
 #[derive(Debug)]
 pub(super) struct Integrals {
     /// For each claim, the first k = 0 or 1 for which the coefficient of ε²ᵏ depends on the state;
-    /// `None` if there is none.
+    /// `None` if both coefficients are constant.
     coefficients: Vec<Option<usize>>,
 }
 
