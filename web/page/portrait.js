@@ -122,6 +122,8 @@ async function orbits(asker, methods) {
       const orbit = { names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), crossings, paint: METHODS[method][1] }
       made.push({ ...orbit, escaped: escapeOf(orbit) })
     }
+    // The first picture waits for Kahan's map alone.
+    if (method === 'kahan' && !lastDrawn.some(orbit => orbit.method === method)) show([...made])
   }
   if (asker === mover) {
     const errors = await relations(asked)

@@ -16,7 +16,7 @@ from playwright.sync_api import sync_playwright
 
 import reader
 import typed
-from tab import AXE, DRAWN, E6, FOUND, PAGE, TOP, WEB, Tab, address, command, found
+from tab import AXE, DRAWN, E6, FOUND, PAGE, PICTURED, TOP, WEB, Tab, address, command, found
 
 def every_system_opens_by_its_address(browser, kahan):
     names = [system["name"] for system in json.loads(command(kahan, "list", "--json"))["systems"]]
@@ -371,7 +371,7 @@ def frames_follow_what_is_shown(browser, _):
 
 def axe_finds_no_fault(browser, _):
     fields = [{"field": E6, "eps": "0.05", "at": "1,1/2,1/3"}, {"field": PENDULUM, "param": "g=2", "lift": "automatic"}, {"field": "xdot = y +"}]
-    for scheme, width, given in itertools.product(["light", "dark"], [390, 1280], fields):
+    for (scheme, width), given in itertools.product([("light", 390), ("dark", 1280)], fields):
         with Tab(browser, address(**given), color_scheme=scheme, viewport={"width": width, "height": 844}) as tab:
             if given["field"].endswith(";"):
                 tab.opened()
@@ -411,7 +411,7 @@ def figures(browser, kahan):
         page = context.new_page()
         begun = time.perf_counter()
         page.goto(PAGE)
-        page.wait_for_function(DRAWN, polling="raf")
+        page.wait_for_function(PICTURED, polling="raf")
         pictured.append(1000 * (time.perf_counter() - begun))
         page.goto("about:blank")
         begun = time.perf_counter()
@@ -515,7 +515,7 @@ def main():
             assert all(holds for *_, holds in measured)
         else:
             for check in CHECKS:
-                check(browser, given.kahan)
+                print(f"  {timed(lambda: check(browser, given.kahan)):.1f} s", flush=True)
         browser.close()
 
 

@@ -56,7 +56,9 @@ class Tab:
         return self.page.inner_text(selector)
 
 
-DRAWN = "document.querySelector('#ended').textContent.includes(' points ')"
+# The first picture: the orbits of Kahan's map. The picture as a whole: those of the other methods, too.
+PICTURED = "document.querySelector('#ended').textContent.includes(' points ')"
+DRAWN = f"{PICTURED} && state.beside.every(name => name === 'flow' || lastDrawn.some(({{method}}) => method === name))"
 FOUND = "document.querySelector('#search-stage').textContent.includes('Found in')"
 
 
