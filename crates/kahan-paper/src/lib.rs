@@ -1,8 +1,8 @@
 //! The paper's formulas as claims, which are established by proof or by measurement.
 //!
-//! [`Paper`] lists all [`Claim`]s, and establishes each by expansion over ℚ or modulo primes, at
-//! exact points, in 256-bit arithmetic, or by refuting a misprint. [`Verdicts`] are the results as
-//! text.
+//! [`Paper`] lists all [`Claim`]s. Each is expanded over ℚ, or its sides are evaluated modulo
+//! primes, in fractions, or in 256-bit arithmetic. Misprints are refuted. [`Verdicts`] are the
+//! results as text.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

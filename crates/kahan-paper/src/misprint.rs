@@ -11,7 +11,7 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// Returns a misprinted item, and the claim's item that has the most words in common with it.
+    /// Returns a misprinted item and its correction; items are relations or definitions.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
@@ -35,7 +35,7 @@ fn common_words(a: &str, b: &str) -> usize {
 }
 
 impl Paper {
-    /// Refutes the printed form at the counterexample, and checks the stated values of both sides.
+    /// Refutes a misprint at its counterexample, whose stated values are checked, too.
     pub(super) fn misprint(
         &self,
         claim: &Claim,
@@ -60,7 +60,7 @@ impl Paper {
                     Some(value) => {
                         point.insert(definition.name, value);
                     }
-                    // Rational values are coordinates. Other values, such as log 3, stay formulas.
+                    // Rational values go to `point`. Others, such as log 3, stay formulas.
                     None => others.push(definition),
                 },
                 witness @ Item::Relation { .. } => witnesses.push(witness),
@@ -107,7 +107,7 @@ impl Paper {
         let [left, right] = self.sides(claim, left, right, definitions)?;
         let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
         if *relation == Relation::Different {
-            // A misprinted `left != right` is false only if the sides are equal at all points.
+            // `left != right` says that two functions differ. One point cannot refute this.
             let differ = identity.establish().is_ok();
             return Ok(("one function".to_owned(), "the same function".to_owned(), differ));
         }

@@ -67,8 +67,8 @@ impl Model {
             .collect()
     }
 
-    /// Evaluates the entries of a vector or matrix row by row: the field `f`, its Jacobian matrix
-    /// `Df`, `A(x,ε)`, `b(x,ε)`, or the map's Jacobian matrix `J`.
+    /// Evaluates the entries, row by row, of the field `f`, its Jacobian matrix `Df`, `A` or `b` of
+    /// Kahan's system A x̃ = b, or the map's Jacobian matrix `J`.
     pub(super) fn entries<A: Arithmetic<Constant = Rational>>(
         &self,
         object: &str,
@@ -89,7 +89,7 @@ impl Model {
         entries.chunks(self.dimension()).map(<[V]>::to_vec).collect()
     }
 
-    /// Computes the next point by the map in lowest terms, or else by elimination.
+    /// Computes the next point by the map's formula, or by elimination if no formula was derived.
     pub(super) fn next<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,

@@ -112,7 +112,7 @@ impl Paper {
         Established { outcome, detail }
     }
 
-    /// Returns the definitions that a claim may use: general ones, those of the field, and its own.
+    /// Collects the definitions of the field, of all claims, of this claim, and those in `own`.
     pub(super) fn definitions(
         &self,
         claim: &Claim,
@@ -193,8 +193,8 @@ impl Paper {
         Ok(sides)
     }
 
-    /// Returns the heights along an orbit, which are computed once. Fails if [`Figure::all`] lacks
-    /// the orbit.
+    /// Returns the measured heights along the figure's orbit, which is computed at the first call.
+    /// Fails if [`Figure::all`] lacks the figure.
     pub fn measurement(&self, figure: &'static Figure) -> Result<&Measurement, String> {
         let cell = self.measurements.get(figure.name).ok_or("no such figure")?;
         Ok(cell.get_or_init(|| figure.measure()))
@@ -215,7 +215,7 @@ pub(super) fn outcome(evidence: &Evidence) -> (Outcome, String) {
     }
 }
 
-/// Describes the evidence of a measurement, which holds only at the points of the orbit.
+/// Returns the outcome of a claim that was checked only at the points of the figure's orbit.
 fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
     let detail = format!("measured on the exact orbit {} of {} iterates", figure.name, figure.steps);
     match evidence {

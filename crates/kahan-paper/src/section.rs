@@ -9,7 +9,7 @@ pub enum Section {
     Brackets,
     /// Section 3 with Table 1, on the Lie-Poisson pairs of the flows.
     FlowPairs,
-    /// Section 4, on a bracket from an integral and a volume.
+    /// Section 4, on a bracket that an integral and a volume form define.
     Construction,
     /// Section 5 with Table 2 and Theorem 1, on the maps and their integrals.
     Maps,

@@ -1,4 +1,4 @@
-//! Claims with their outcomes, for the paper or for another block.
+//! Claims with their outcomes.
 
 use super::claim::{Claim, Outcome};
 use super::registry::Paper;

@@ -87,8 +87,8 @@ impl<I, C, F: Function> Operation<I, C, F> {
 }
 
 impl<I, C, F> Operation<I, C, F> {
-    /// Converts an arithmetic operation to other types of inputs, constants and functions, and
-    /// renames its operands by `rename`. Returns `None` for inputs, constants and calls.
+    /// Renames the operands of an arithmetic operation by `rename`, for a program with other types
+    /// of inputs, constants and functions. Returns `None` for inputs, constants and calls.
     pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,

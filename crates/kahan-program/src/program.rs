@@ -91,7 +91,7 @@ impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
     #[must_use]
     pub fn of_results(operations: &[Operation<I, C, F>], outputs: &[Node]) -> Self {
         let needed = Program { operations, outputs }.needed();
-        // An operation that no output needs has no new index; nothing reads its entry.
+        // Operations that no output needs keep `usize::MAX`, which is never read.
         let (mut kept, mut places) = (Vec::new(), vec![Node(usize::MAX); operations.len()]);
         for (index, operation) in operations.iter().enumerate() {
             if needed[index] {

@@ -90,9 +90,9 @@ impl<T: RuntimeFloat> MapAt<T> {
         MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
 
-    /// Returns the map whose steps equal, bit for bit, the steps of columns at the instruction
-    /// level `level`. Levels above [`Level::Baseline`], the default, fuse multiply-adds. Returns
-    /// `None` if the processor lacks the level, or if the step has no machine code.
+    /// Returns the map whose orbits have the bits of [`advance_columns`](Self::advance_columns) at
+    /// `level`. Levels above [`Level::Baseline`], the default, fuse multiply-adds. Returns `None`
+    /// if the processor lacks the level, or if the step has no machine code.
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
         let (set, fuses) = match level {

@@ -24,7 +24,7 @@ pub(crate) enum Argument {
     Parameters,
     Parameter(String),
     Type,
-    /// The dimension of the map, which is too large for a guaranteed error bound.
+    /// The number of variables, if it is too large for the guaranteed error bound of `try_step`.
     Promise,
 }
 

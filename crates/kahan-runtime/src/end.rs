@@ -12,7 +12,7 @@ pub enum End {
     Pole(u64),
     /// A variable of the last point exceeds the requested bound.
     Escaped(u64),
-    /// Symmetric projection onto the relations of a lift did not converge.
+    /// Projection onto the equations that define a lifted field's new variables did not converge.
     Reembed(u64),
     /// The time limit was reached.
     Time(u64),

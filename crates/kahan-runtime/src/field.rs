@@ -35,7 +35,7 @@ impl Field {
         Self::read(&FieldText::new(text.to_owned(), "field".to_owned()))
     }
 
-    /// Reads a field from a named text, or from a passage of it, and proves its claims.
+    /// Reads the field in a text, and proves its claims.
     ///
     /// # Errors
     /// [`Diagnostics`], as for [`parse`](Self::parse).
@@ -114,7 +114,7 @@ impl Field {
         self.derived().brackets.iter().map(|(name, _)| name.as_str())
     }
 
-    /// Returns the system of the field.
+    /// Returns the field with its claims.
     #[must_use]
     pub fn system(&self) -> &System {
         &self.derived().system

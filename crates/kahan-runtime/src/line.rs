@@ -116,8 +116,8 @@ impl Line {
         Self::new(plan, symbols, symbols.parameters.len() + 1, true)
     }
 
-    /// Prepares the program of a step that depends on the state. Its constants are the `prepared`
-    /// results of the first program. After a division by zero, a run returns `None`.
+    /// Prepares the second program of a step, which reads the state. Its constants are the
+    /// `prepared` results of the first program. After a division by zero, a run returns `None`.
     pub(crate) fn of_kernel(plan: &Plan, symbols: &Symbols, prepared: usize) -> Self {
         Self::new(plan, symbols, prepared, true)
     }

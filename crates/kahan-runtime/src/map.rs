@@ -103,7 +103,7 @@ impl Map {
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // N = 4 lets `f32` steps first try single precision; otherwise N does not affect results.
+        // `f32` steps with N ≤ 4 try single precision first. All larger N give equal results.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),
             5..=8 => self.try_step_among::<T, 8>(x, eps, next),

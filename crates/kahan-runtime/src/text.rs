@@ -165,7 +165,7 @@ impl FieldText {
         self.accept(if mistakes.is_empty() { Ok(()) } else { Err(mistakes) })
     }
 
-    /// Returns the undeclared names in a block without a header, which are its parameters.
+    /// Returns the undeclared names in a block without a header; they become parameters.
     #[must_use]
     pub fn undeclared(&self) -> Vec<String> {
         match self.unproved() {

@@ -1,4 +1,4 @@
-//! Fused steps have the bits of ensembles with fused multiply-adds, however an orbit is divided.
+//! Fused steps have the bits of ensembles with fused multiply-adds, in one call or in several.
 
 use kahan_core::{Composition, Level};
 use kahan_runtime::{Field, Map, MapAt};
@@ -68,7 +68,7 @@ fn compensated_sums_are_fused_from_the_first_step() {
 fn columns_of_fused_maps_are_fused_orbits() {
     for (text, start) in FIELDS {
         let Some([_, fused]) = fused(text) else { return };
-        // A single step of the field of two variables divides twice, and a step of columns once.
+        // For two variables, bits differ: a step divides twice, but a step of columns once.
         if start.len() < 3 {
             continue;
         }

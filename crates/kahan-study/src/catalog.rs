@@ -1,4 +1,4 @@
-//! The catalog of `kahan-systems` as a [`Catalog`] of studies.
+//! Implements [`Catalog`] for the systems and families of `kahan-systems`.
 
 use kahan_systems::{lattices, registry};
 

@@ -12,8 +12,8 @@ use crate::study::Study;
 pub struct ColourColumn {
     /// The observable.
     pub observable: Observable,
-    /// The name of the column. If it is that of [`Observable::Drift`] itself, the number is the
-    /// largest drift of all integrals.
+    /// The name of the column. `drift` is no column, and stands for the largest drift of all
+    /// integrals.
     pub column: String,
 }
 
@@ -51,11 +51,10 @@ impl ColourColumn {
         self.observable == Observable::Drift && self.column == self.observable.name()
     }
 
-    /// Returns the observed number of each row; NaN for an orbit without such a number. The table
-    /// must contain this observable, and no other.
+    /// Returns the observed number of each row; NaN for an orbit without such a number.
     ///
     /// # Panics
-    /// If the table has other columns.
+    /// If the table was not observed with this observable alone.
     #[must_use]
     pub fn values<'a>(&self, table: &'a Table) -> Vec<f64> {
         let floats = |kept: &'a StoredColumn| match kept {

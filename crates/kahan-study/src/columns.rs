@@ -69,7 +69,7 @@ impl<'a> ExpectedColumns<'a> {
         ExpectedColumns { states, least: states.len(), parameters, others }
     }
 
-    /// Finds the columns of a table with these names.
+    /// Finds the columns of states, parameters and ε in a table whose columns have these `names`.
     ///
     /// # Errors
     /// A state without a column, two columns of one name, or a column that cannot be used.

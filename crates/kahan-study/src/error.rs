@@ -69,7 +69,7 @@ pub enum StudyError {
     },
     /// The number of coordinates of a point differs from the number of variables.
     Coordinates {
-        /// The name of the point in the question.
+        /// The entry of the question that holds the point: `at`.
         what: &'static str,
         /// The variables.
         variables: Vec<String>,
@@ -153,7 +153,7 @@ pub enum StudyError {
         /// The reason.
         why: NoFormula,
     },
-    /// The formula of a section is constant.
+    /// The formula whose zeros define a Poincaré section is constant.
     ConstantPlane {
         /// The formula.
         text: String,
@@ -181,7 +181,7 @@ pub enum StudyError {
         /// The name of the field.
         system: String,
     },
-    /// ε is both an unknown and an axis.
+    /// ε is an unknown of the cycle, so that it cannot be an axis.
     FreeStepAlong,
     /// No axis is given.
     NoAxis,
@@ -197,7 +197,7 @@ pub enum StudyError {
         /// The variable, if the number is a coordinate of a point.
         variable: Option<String>,
     },
-    /// A number is beyond the range of the scalar.
+    /// A number is beyond the range of the scalar type of the computation.
     BeyondRange {
         /// The entry of the question that holds the number: `at`, `param` or `eps`.
         what: &'static str,
@@ -243,7 +243,7 @@ pub enum StudyError {
     },
     /// The question measures times, but the caller's `Watch` provides no clock.
     NoClock,
-    /// The settings cannot be compared, because their costs or errors cannot be measured.
+    /// Scalars, orders and step sizes cannot be compared, because errors cannot be measured.
     Trade {
         /// The name of the field.
         system: String,

@@ -1,5 +1,5 @@
-//! Formulas as straight-line programs, in the index i of a chain's site or in the variables of a
-//! field.
+//! Formulas as straight-line programs. A formula's variables are those of a field, or the index i
+//! of a chain's site.
 //!
 //! A program performs the operations as written, and computes each common subexpression once. A
 //! [`Formula`] runs in doubles, [`Formulas`] in doubles, single precision and fractions.
@@ -189,12 +189,12 @@ impl Formulas {
         self.program.outputs.len()
     }
 
-    /// Computes the formulas at points: `inputs` has a row for each [`needed`](Self::needed)
-    /// variable, and `outputs` has a row for each point. In exact arithmetic, returns `None` if a
-    /// formula is undefined.
+    /// Computes the formulas at points. `inputs` lists one [`needed`](Self::needed) variable at all
+    /// points, then the next. `outputs` lists all formulas at one point, then at the next. In exact
+    /// arithmetic, returns `None` if a formula is undefined.
     ///
     /// # Panics
-    /// If a row of `inputs` lacks values.
+    /// If `inputs` lacks values.
     pub fn compute<A: Calls<Called, Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -328,8 +328,8 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Combines operands from left to right: by `inverse` (such as −) if the operand's flag is set,
-    /// and otherwise by `operator` (such as +).
+    /// Combines operands from left to right: those with the flag `true` by `inverse` (such as −),
+    /// the others by `operator` (such as +).
     fn chain<'a>(
         &self,
         builder: &mut Builder,

@@ -1,4 +1,4 @@
-//! Lifted fields: quadratic fields made from other equations by new variables.
+//! Lifted fields: new variables turn other equations into quadratic fields.
 //!
 //! Callers give points in the original variables, which determine the new variables.
 
@@ -24,14 +24,14 @@ use crate::study::Study;
 /// The options of a lift.
 #[derive(Clone, Debug, Default)]
 pub struct Lifting {
-    /// The kind of lift.
+    /// The criterion by which the lift is chosen.
     pub which: LiftCriterion,
     /// The start of the orbit along which lifts are compared, by default that in the text.
     pub start: Option<Vec<Rational>>,
     /// The names of the coordinates of `start`. If empty, the coordinates are in the order of the
     /// variables.
     pub names: Vec<String>,
-    /// Values of parameters without a value from the caller or the text, used to compare lifts.
+    /// Values at which lifts are compared, of parameters that neither the caller nor the text sets.
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
@@ -145,8 +145,8 @@ impl Lifted {
     }
 }
 
-/// Returns the text of the claims in `given` and of the rational constants that they use, and the
-/// names of these claims and constants.
+/// Extracts the claims in `given`, and the rational constants that they use. Returns the text and
+/// the names of both.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();
@@ -296,7 +296,7 @@ impl Study {
         self.lift().filter(|lift| lift.has_time).map(|lift| lift.states.len() - 1)
     }
 
-    /// Returns the indices of shown columns. All columns are step, time, variables and integrals.
+    /// Returns the columns in answers, by index among step, time, all variables and integrals.
     pub(crate) fn columns_shown(&self, columns: usize) -> Vec<usize> {
         let Some(lifted) = self.lifted() else { return (0..columns).collect() };
         let time = self.time_place().map_or(1, |place| 2 + place);
@@ -355,7 +355,7 @@ impl Study {
         let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
         let new = lifted.lift.embed(&floats(&states), &floats(&own));
         let undefined = lifted.lift.new.iter().zip(&new).find(|(_, value)| !value.is_finite());
-        // The exact value is undefined, but all floats may be finite: the first variable is named.
+        // If all floats are finite, the cause is unknown, and the first new variable is named.
         let (new, _) = undefined.or_else(|| lifted.lift.new.iter().zip(&new).next()).expect("a new variable");
         Err(StudyError::NotEmbedded {
             variable: new.name.clone(),
@@ -367,7 +367,7 @@ impl Study {
 /// The length of the time interval over which errors of relations are measured.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
-/// The number of segments of an eighth of an orbit. The largest error in each segment is kept.
+/// Each eighth of an orbit has this number of segments, for which the largest error is kept.
 const SEGMENTS_PER_EIGHTH: usize = 50;
 /// An error that grows by this factor from the first to the last eighth of an orbit drifts.
 const DRIFT_GROWTH: f64 = 1.5;
@@ -376,7 +376,7 @@ const LARGEST_ROUNDING_ERROR: f64 = 1e-11;
 
 impl RelationErrors {
     /// Returns the factor by which the error of relation `place` grew from the first to the last
-    /// eighth of the orbit; `None` if the orbit ended before.
+    /// eighth of the orbit; `None` if the last eighth is incomplete.
     pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
         let (first, last) = (
@@ -470,7 +470,7 @@ pub struct LiftFound {
     pub new: Vec<NewFound>,
     /// The quadratic field with the formulas that its map preserves, in the language of `kahan!`.
     pub field: String,
-    /// The number of new variables, without `t`.
+    /// The number of new variables; `t` is not counted.
     pub order: usize,
     /// Whether a complete search found no lift with fewer new variables.
     pub optimal: bool,
@@ -521,9 +521,9 @@ pub struct RelationFound {
     pub relation: String,
     /// The behaviour of the error along the orbit, if known.
     pub along: Option<RelationFate>,
-    /// The formula that the map preserves exactly.
+    /// The modified function that the map preserves exactly, if one is known.
     pub formula: Option<String>,
-    /// The largest λ for which the error of any relation grows like exp(λt).
+    /// The rate λ at which errors grow like exp(λt). All relations of a lift have the largest rate.
     #[serde(serialize_with = "finite")]
     pub rate: Option<f64>,
     /// The index, among the new variables, of the variable that the relation defines.

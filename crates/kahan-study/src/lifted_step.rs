@@ -76,8 +76,8 @@ impl Study {
         if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }
     }
 
-    /// Returns a warning if an error of the lift's relations grows more than 100-fold along the
-    /// orbit from `at` until t = 100; `None` if the lift was already chosen along an orbit.
+    /// Warns if an error of the lift's relations grows more than 100-fold along the orbit from `at`
+    /// until t = 100; `None` if the choice of the lift already considered errors.
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
@@ -140,7 +140,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         self.positive.iter().copied().find(|&place| new[place].approximate() < 0.0)
     }
 
-    /// Advances a point, or fills it with NaN at the end of the orbit.
+    /// Advances a point. At the end of the orbit, fills it with NaN and returns `false`.
     fn next(&self, x: &mut [T], mut step: impl FnMut(&mut [T])) -> bool {
         let is_there = match &self.projection {
             None => {

@@ -18,7 +18,7 @@ pub struct Listed {
 /// A system of a catalog.
 #[derive(Clone, Debug, Serialize)]
 pub struct SystemListed {
-    /// The name by which subjects refer to the system.
+    /// The name of the system in the catalog.
     pub name: &'static str,
     /// The name of its type in Rust.
     #[serde(rename = "type")]
@@ -36,7 +36,7 @@ pub struct SystemListed {
 /// A family of a catalog.
 #[derive(Clone, Debug, Serialize)]
 pub struct FamilyListed {
-    /// The name by which subjects refer to the family.
+    /// The name of the family in the catalog.
     pub name: &'static str,
     /// The name of its type in Rust.
     #[serde(rename = "type")]
@@ -51,7 +51,7 @@ pub struct FamilyListed {
     pub claims: Vec<String>,
 }
 
-/// Lists a catalog, which takes milliseconds for each entry. Fails if a text has mistakes.
+/// Lists a catalog, which takes milliseconds for each entry. Fails if an entry's text has mistakes.
 pub fn list(catalog: &dyn Catalog) -> Result<Listed, StudyError> {
     let mut listed = Listed { systems: Vec::new(), families: Vec::new() };
     for named in catalog.names().into_iter().filter_map(|[name, _]| catalog.find(name)) {

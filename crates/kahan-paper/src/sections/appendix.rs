@@ -8,7 +8,7 @@ use super::super::section::Section;
 use super::structures::structure;
 use super::text::read;
 
-/// Definitions of w = 1/x at three successive points of dE3 for ε = 1/2.
+/// Definitions for the recurrence of w = 1/x along orbits of dE3 at ε = 1/2.
 const LINEARISED_DEFINITIONS: &str = "
     w0 := 1/x; w1 := at(next(1/x), eps, 1/2); w2 := at(next(next(1/x)), eps, 1/2);
     s := 1 + y^2/x^2; K := at(1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2)), eps, 1/2);
@@ -22,7 +22,7 @@ L.delta | L is cosh 2 delta | K := 2*tanh(delta)^2; (2 + K)/(2 - K) = cosh(2*del
 linear | (linde3), the linear recurrence | w2 - 2*L*w1 + w0 = 0
 ";
 
-/// The level set of H(ε) and K(ε), an intersection of two quadrics in s = x + y, d = x − y and z.
+/// The level set of dE4's integrals H and K, as two quadrics in s = x + y, d = x − y and z.
 const LEVEL_CURVE: &str = "
 curve.H | first equation of the curve in s and d |
     s := x + y; d := x - y; (1 - 2*H*eps^2)*s^2 - (1 + 2*H*eps^2)*d^2 = 4*H
@@ -55,7 +55,7 @@ curve.pencil | the four singular quadrics of the pencil are different: the curve
     r1 != 0; r2 != 0; r3 != 0; r1 != r2; r1 != r3; r2 != r3
 ";
 
-/// Hirota's bilinear form of the map. A1, B1, C1 and D1 are A, B, C and D at the next point.
+/// Homogeneous coordinates A, B, C, D of a point of dE4, and A1, B1, C1, D1 of the next point.
 const HOMOGENEOUS: &str = "
     x := (A + B)/(2*eps*D); y := (A - B)/(2*eps*D); z := C/(eps*D);
     X := (A1 + B1)/(2*eps*D1); Y := (A1 - B1)/(2*eps*D1); Z := C1/(eps*D1);
@@ -76,7 +76,7 @@ integral | the integral of the first kind: sn is its inverse |
     d(sn(u, k), u)^2 = (1 - sn(u, k)^2)*(1 - k^2*sn(u, k)^2); F(atan2(sn(u, k), cn(u, k)), k) = u
 ";
 
-/// The solution's parameters δ and κ, as elliptic integrals F with the modulus k.
+/// The parameters δ and κ of dE4's solution, as elliptic integrals F with the modulus k.
 const PARAMETERS: &str = "
     k := sqrt((g - h)*(1 + h)/((g + h)*(1 - h))); s := sqrt((g + h)/(1 + h));
     delta := F(atan2(s, sqrt(1 - s^2)), k);

@@ -39,7 +39,7 @@ DE6 digits | dE6, addition | digits(x, 125) = 114682
 DE6 limit | dE6: h(x_n)/n^2, addition | (h(x, 125) - 2*h(x, 75) + h(x, 25))/(2*50^2) ~ 16.89
 ";
 
-/// Claims about measured slopes, and about the limits C1 of h(y_n)/n.
+/// Claims about the heights h of coordinates after n steps: slopes, and limits of h(y_n)/n.
 const TRANSCENDENTAL_MAPS: &str = "
 DE7 height_x | figure of 400 iterates: h(x_n) grows like log n only | logslope(x, 500, 1000) ~ 1.0
     explains B5

@@ -63,7 +63,7 @@ proposition |
     phi*v3*(m31*m12 - m32*m11) + phi*v1*(m32*m13 - m33*m12) + phi*v2*(m33*m11 - m31*m13) = phi*det*g2
 ";
 
-/// Claims about brackets in which φ, I and L are generic polynomials of degree 2.
+/// Claims about the Poisson tensors φ∇I and φ∇L, for generic polynomials φ, I, L of degree 2.
 const BRACKETS: &str = "
 bracket.jacobi | phi (I_z, I_x, I_y) is a Poisson tensor | jacobi(P12, P23, P31) = 0
 bracket.casimir | its Casimir function is I |

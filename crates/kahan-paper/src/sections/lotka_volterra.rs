@@ -10,7 +10,7 @@ const INTEGRAL: &str = "
     I := (x - y)*(x + y - 2)/(x*y);
 ";
 
-/// The recurrence at ε = 1, and six iterates.
+/// The recurrence of the variable x at ε = 1, and the next six values of x.
 const ITERATES: &str = "
     r(a, b) := a*(2 - a)/b;
     x1 := r(x, y); x2 := r(x1, x); x3 := r(x2, x1); x4 := r(x3, x2); x5 := r(x4, x3); x6 := r(x5, x4);

@@ -96,7 +96,7 @@ const TREATED_AS_A_WHOLE: [(&str, Section); 5] = [
     ("e9", Section::Transcendental),
 ];
 
-/// Returns the section of the paper with the claims of this kind about a system.
+/// Returns the section in which the paper makes claims of this kind about a system.
 fn in_the_paper(system: &str, kind: ClaimKind) -> Section {
     let whole = TREATED_AS_A_WHOLE.iter().find(|(treated, _)| *treated == system);
     whole.map_or_else(

@@ -122,7 +122,7 @@ impl Solution {
             if signs == [""; 3] {
                 return claim(state, step);
             }
-            // `step` is the claim for even n. For odd n, (−1)ⁿ is −1, and it is 1 at n + 1.
+            // `step` is the claim for even n. The claim for odd n has (−1)ⁿ = −1 and (−1)ⁿ⁺¹ = 1.
             let [x, y, z] = [0, 1, 2].map(|j| format!("{}{}(n)", signs[j], FUNCTIONS[j]));
             claim(state, format!("{step}; on(next({state}), {x}, {y}, {z}) = {name}(n + 1)"))
         });

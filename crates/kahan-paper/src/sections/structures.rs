@@ -8,9 +8,8 @@ pub struct StructureRow {
     pub system: &'static str,
     /// The Lie algebras of the tensors P and Q.
     pub algebras: [Algebra; 2],
-    /// The definitions of H, K, c, P and Q in Table 1. For maps, those in Tables 2 to 4 follow,
-    /// whose names end in `_eps`. Tensors are given by {x,y}, {y,z} and {z,x}, named `P12`, `P23`
-    /// and `P31`.
+    /// The definitions of H, K, c, P and Q in Table 1. Names that end in `_eps` are those of the
+    /// map, in Tables 2 to 4. `P12`, `P23` and `P31` are {x,y}, {y,z} and {z,x}.
     pub definitions: &'static str,
 }
 

@@ -1,7 +1,7 @@
 //! Claims of Tables 1 to 4 and of Theorems 1 and 2, for each row.
 //!
-//! In the texts, `{P12}` stands for the row's definition of `P12`, `{e}` for the system, and `{i}`
-//! for its number.
+//! In the texts, `{P12}` stands for the row's definition of `P12`, `{e}` for the name of the
+//! system, and `{i}` for the number of the system.
 
 use super::super::claim::Claim;
 use super::super::id::Id;

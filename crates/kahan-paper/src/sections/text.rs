@@ -43,7 +43,7 @@ impl ClaimText {
         all
     }
 
-    /// Adds the notes to a claim. Panics if a note is malformed; tests check the constant notes.
+    /// Adds the notes to a claim. Panics if a note is malformed.
     pub(super) fn annotate(&self, claim: Claim) -> Claim {
         let annotated = self.notes.iter().try_fold(claim, |claim, note| {
             let (word, rest) = note.split_once([' ', ':'])?;

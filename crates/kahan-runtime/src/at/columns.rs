@@ -200,8 +200,8 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Returns, for each start, the number of steps to the last finite point. After `steps` steps,
-    /// no orbit may be finite.
+    /// Returns, for each start, the number of steps to the last finite point. All points after
+    /// `steps` steps must be nonfinite.
     fn finite_steps(
         &self,
         kind: StepKind,

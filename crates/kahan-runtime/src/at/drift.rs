@@ -1,4 +1,4 @@
-//! The drift of the claimed integrals along an orbit.
+//! The drift of a field's claimed integrals from their initial values along an orbit.
 
 use kahan_core::observe::{Burst, Drift, Drifted, GROUP, Grouped, Observer, Observers};
 
@@ -94,7 +94,7 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns code that appends the integrals of each orbit's map to the orbit's coordinates.
+    /// Returns code that stores each orbit's integrals after the coordinates of its point.
     fn group_code_of_integrals(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<GroupCode<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));

@@ -108,7 +108,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// Turns the entries above the diagonal, which begin `entries`, into a full antisymmetric matrix.
+/// Expects the entries above the diagonal first, and writes the full antisymmetric matrix.
 fn spread_antisymmetric<T: RuntimeFloat>(entries: &mut [T], n: usize) {
     let mut above = n * (n - 1) / 2;
     // The loop runs backwards, so that no entry is overwritten before it is read.

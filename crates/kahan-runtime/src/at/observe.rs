@@ -176,7 +176,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// Returns code for points with tangent vectors: Kahan's map of the variational field.
+    /// Returns code for points x and vectors v: Kahan's map of ẋ = f(x), v̇ = f′(x)v.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,
@@ -255,8 +255,8 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
         Followed { report: self.observers.report(), end: self.end }
     }
 
-    /// Shows points of all orbits of a group together until one orbit ends. Without a bound, the
-    /// last points show whether all are finite, because nonfinite points stay nonfinite.
+    /// Shows the points of a burst to all observers together, until an orbit ends. Without a bound,
+    /// only the last points are tested, because nonfinite points stay nonfinite.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,

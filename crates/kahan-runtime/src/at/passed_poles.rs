@@ -16,8 +16,8 @@ use crate::engine::{split, stage_constants};
 pub struct PassedPoleCount {
     /// The number of steps that pass over a pole.
     pub steps: u64,
-    /// Whether signs of det A were used instead of roots of the denominator. Steps over an even
-    /// number of roots are then missed, and steps over a removable zero of det A are counted.
+    /// Whether signs of det A replaced roots of the denominator. [`PassedPoles`] states the errors
+    /// of such a count.
     pub is_lower_bound: bool,
 }
 
@@ -88,7 +88,7 @@ pub(super) struct StagePoles<T: RuntimeFloat> {
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns whether the step from `x` passes over a pole; may advance `x` by some stages.
+    /// Returns whether the step from `x` passes over a pole. For a composition, overwrites `x`.
     fn passes_a_pole(&self, x: &mut [T], is_lower_bound: &mut bool) -> bool {
         let stages = self.poles.get_or_init(|| self.stage_poles());
         let last = 2 * stages.len() - 2;

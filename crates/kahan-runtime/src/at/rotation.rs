@@ -1,7 +1,7 @@
 //! Rotation numbers of the variables of an orbit, in two passes.
 //!
-//! In: a map. Out: two observers. The first pass finds the extremes of each variable and of its
-//! rate of change. The second pass finds the rotation of these pairs around their middle.
+//! In: a map. Out: two observers. The first pass finds the extremes of each xᵢ and ẋᵢ. The second
+//! pass finds the rotation of (xᵢ, ẋᵢ) about the midpoint of the extremes.
 
 use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, RotationNumber};
 

@@ -1,7 +1,7 @@
 //! Tangent vectors of a map.
 //!
-//! In: a map at its ε. Out: the tangent map v ↦ (∂x̃/∂x)·v. If x̃ is known, a straight-line program
-//! computes the tangent map. Otherwise Kahan's map of the variational field advances x and v.
+//! In: a map at its ε. Out: the tangent map v ↦ (∂x̃/∂x)·v. A straight-line program computes it
+//! from x and a known x̃. Otherwise Kahan's map of the variational field advances x and v.
 
 use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
 use kahan_dynamics::Precision;

@@ -101,7 +101,7 @@ fn read(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> [Box<d
     }
 }
 
-/// Returns the orbit of a compiled map in the precision of `scheme`. Missing coordinates are 0.
+/// Returns the orbit of a map in the precision of `scheme`. Coordinates that `start` lacks are 0.
 fn of_map<M, const N: usize>(exact: &M, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Box<dyn Steps>
 where
     M: ExtendScalars<BigRational, N, Extended<f32>: 'static, Extended<f64>: 'static, Extended<Dd>: 'static>,
@@ -270,8 +270,8 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
 }
 
 /// Returns a random field of n variables, in which x1 stays 0 if it begins there. Each product of
-/// two variables occurs with a probability of `percent` %. Coefficients are multiples of `unit`,
-/// and constant terms are multiples of `unit`·`p`.
+/// two variables occurs with a probability of `percent` %. Coefficients are multiples of `unit`;
+/// constant terms are multiples of `unit`·`p`, where `p` is a number or the parameter p.
 fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}*{unit}", below(255, random) as i64 - 127);
     let component = |i: usize| {

@@ -33,7 +33,7 @@ struct Term {
 }
 
 impl Denominator {
-    /// Substitutes parameters and ε into the denominator; `None` if one of them is not finite.
+    /// Substitutes numbers for parameters and ε in the denominator; `None` for nonfinite numbers.
     pub(crate) fn of(
         symbols: &Symbols,
         denominator: &Polynomial,
@@ -99,8 +99,8 @@ impl Denominator {
                 sizes += size;
             }
         }
-        // Each term has at most nine rounding errors, each addition has one, and the Bernstein form
-        // has about two hundred. `EPSILON` is twice the error of one rounding.
+        // In all, terms have at most nine rounding errors of size `sizes`, additions one per term,
+        // and the Bernstein form about 200. `EPSILON` is twice a rounding error.
         let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
         if sizes < TINY {
             return None;

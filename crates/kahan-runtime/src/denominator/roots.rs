@@ -6,7 +6,7 @@
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::rational::Rational;
 
-/// The largest number of coefficients.
+/// The largest number of coefficients of a tested polynomial.
 pub(super) const MAX_COEFFICIENTS: usize = MOST_EXPANDED + 1;
 
 /// The number of bisections after which floats leave a case undecided.

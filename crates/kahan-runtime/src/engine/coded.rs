@@ -40,7 +40,7 @@ impl<T: RuntimeFloat> CompiledStages<T> {
         CompiledStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages, or `None` if one of `all` differs in it or in `kind`.
+    /// Returns the number of distinct stages; `None` unless it and `kind` are equal for `all`.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;

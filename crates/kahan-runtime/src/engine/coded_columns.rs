@@ -176,7 +176,7 @@ struct PreparedColumns<'a, T> {
 }
 
 impl<T: MachineFloat> PreparedColumns<'_, T> {
-    /// Prepares the constants of the trajectories that fill `registers` registers, from `first` on.
+    /// Prepares the constants of `registers` registers, which begin with trajectory `first`.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

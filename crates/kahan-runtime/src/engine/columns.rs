@@ -2,7 +2,7 @@
 //!
 //! In: columns, ε and parameters; each value is shared, or each trajectory has a value of its own.
 //! Out: the columns after some steps. Each SIMD lane holds one trajectory. With elimination,
-//! trajectories advance one after the other, because their pivots decide the branches.
+//! trajectories advance one after the other, because each may need other row exchanges.
 
 use core::ops::Range;
 
@@ -84,7 +84,7 @@ impl Engine {
         }
     }
 
-    /// Returns `kind` with the formula of single orbits at these ε; `None` if formulas differ.
+    /// Returns `kind` with the formula of single orbits; `None` if they use several at these ε.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,

@@ -82,7 +82,7 @@ impl EliminationPattern {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Returns whether elimination with pivoting stores sparse rows, since A is large and not full.
+    /// Returns whether elimination with pivoting stores sparse rows: A is large and not full.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables
@@ -102,10 +102,10 @@ impl EliminationPattern {
         supernodes.factor(&couplings, self.are_sparse(), &mut factors.values, &mut factors.panels)
     }
 
-    /// Factors A(x,ε) without testing pivots. Returns the maximum of min(m, q) over all pivots,
-    /// where m is the largest multiplier in the pivot's column, and q the largest quotient of an
-    /// entry in its row by the pivot; `None` if no pivot has entries both below it and to its
-    /// right.
+    /// Factors A(x,ε) without testing pivots, and returns the maximum of min(m, q) over the pivots.
+    /// Here m is the largest multiplier in a pivot's column, and q the largest quotient of an entry
+    /// in its row by the pivot. Pivots with no such entry or no multiplier are skipped; `None` if
+    /// all are skipped.
     ///
     /// If [`factor`](Self::factor) would return `false`, the maximum exceeds [`LARGEST_FACTOR`].
     ///

@@ -63,9 +63,9 @@ pub enum MapObject {
     Matrix,
     /// The Jacobian ∂x̃/∂x of the map, row by row.
     Jacobian,
-    /// The bilinear form Q(x,y).
+    /// The symmetric bilinear form Q(x,y), where Q(x,x) is the quadratic part of the field.
     Bilinear,
-    /// The polarised field Q(x,y) + ½B(x+y) + c.
+    /// The polarised field Q(x,y) + ½B(x+y) + c of a field Q(x,x) + Bx + c.
     Polarized,
     /// The determinant det A(x,ε) in expanded form, unless the expansion has too many terms.
     DetMatrix,

@@ -56,7 +56,7 @@ pub(super) type ScratchCell<V> = Cell<Option<Box<Scratch<V>>>>;
 
 pub(super) type ScratchKey<V> = &'static LocalKey<ScratchCell<V>>;
 
-/// Runs `work` with this thread's scratch memory. While the thread is ending, uses new memory.
+/// Runs `work` with this thread's scratch memory, or with new memory while the thread is ending.
 pub(crate) fn with_scratch<V, R>(local: ScratchKey<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {
     let mut scratch = local.try_with(Cell::take).ok().flatten().unwrap_or_default();
     let result = work(&mut scratch);

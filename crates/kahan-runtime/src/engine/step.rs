@@ -40,8 +40,8 @@ impl StepForms {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
-    /// Returns whether generated code rounds the product in an increment before adding it to x. If
-    /// not, it uses a multiply-add. `is_general` says that the step does not divide by ε.
+    /// Returns whether generated code rounds numerator·(1/denominator) before adding it to x.
+    /// Otherwise it uses a multiply-add. An `is_general` step does not divide by ε.
     pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
         is_general && may_divide_by(&V::one())
     }
@@ -240,7 +240,7 @@ impl Step {
         outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
     }
 
-    /// Returns the numerator and 1/denominator of increment i; if `rounds`, their product alone.
+    /// Returns the numerator and 1/denominator of increment i; if `rounds`, the product and `None`.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
         let (numerator, reciprocal) = self.quotients[i];

@@ -1,5 +1,5 @@
-//! Divides the integer coordinates of a point after a step by their content, which is the common
-//! factor gcd(X̃₁, …, X̃_n, W̃).
+//! Divides the coordinates of a point, which are integers, by their greatest common divisor, called
+//! the content.
 //!
 //! For integrable maps the content is long, for example two thirds of the coordinates' digits for
 //! the catalog's system E4. A gcd of such long numbers costs more than the step itself, so
@@ -41,8 +41,8 @@ pub(crate) struct PrimitivePoint {
 /// γ. By singularity confinement, a prime that divides a content also divides γ a few steps
 /// earlier. This number of steps, the lag, is constant along an orbit.
 ///
-/// The predictor finds the lag while numbers are short. For long numbers it first tries to divide
-/// the new point by gcd(γ, W̃), where W̃ is the point's last coordinate.
+/// The predictor finds the lag while numbers are short. Later it first divides the new point by
+/// gcd(γ, W̃), if possible; γ is that of `lag` steps ago, and W̃ the last coordinate.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContentPredictor {
     misses: u32,
@@ -122,8 +122,8 @@ impl ContentPredictor {
     }
 }
 
-/// Returns γ from the last coordinates of the previous point X₋ and of F₋(X) = γX₋, where F₋ is the
-/// inverse map; `None` if γ is not an integer.
+/// Divides the last coordinate of F₋(X) = γX₋, named `behind`, by that of X₋, where F₋ is the
+/// inverse map. Returns |γ|, or `None` if γ is not an integer.
 fn factor_of_step_back((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
@@ -137,8 +137,8 @@ pub(crate) fn longest(point: &[IBig]) -> usize {
     point.iter().map(bits).max().unwrap_or(0)
 }
 
-/// Returns the point divided by the gcd of γ and its last coordinate; `None` if the gcd has few
-/// digits.
+/// Divides the point by gcd(γ, W̃) or a factor of it, where W̃ is the last coordinate of the point.
+/// Returns `None` if the divisor would have few digits.
 fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     if gamma.is_zero() {
         return None;

@@ -14,9 +14,8 @@ pub struct DiophantineTest {
     pub heights: Vec<Heights>,
     /// The growth class of the component whose height rises most.
     pub growth: Growth,
-    /// log(h_n/h_{n−1}) at the last step n, where h is the height of the component that is largest
-    /// at step n; 0 unless growth is exponential. For large n this tends to the Diophantine
-    /// entropy.
+    /// log(h_n/h_{n−1}) at the last step n, for the coordinate with the largest height h at step n;
+    /// 0 unless growth is exponential. For large n this tends to the Diophantine entropy.
     pub entropy: f64,
     /// The reason why the orbit ended before the last step; `None` if all steps were made.
     pub stopped: Option<Stop>,
@@ -45,7 +44,7 @@ impl DiophantineTest {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // `Stop::Digits` precedes `Stop::Seconds`, because it does not depend on the clock.
+            // `Stop::Digits` does not depend on the clock, so it is reported if both limits apply.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.check_expected_digits().is_ok();
             if step > 0 && (is_late || !goes_on) {

@@ -118,7 +118,7 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// Makes one step. If some gcd(Xᵢ, W) in `factors` is long, divides out a common factor.
+    /// Makes one step; divides the coordinates by a common factor if a gcd in `factors` is long.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {

@@ -155,8 +155,8 @@ impl HeightsOrbit {
         Ok(heights)
     }
 
-    /// Returns an error if the next point's coordinates are expected to have more than twice the
-    /// allowed digits. Otherwise the step is made, and the point is checked afterwards.
+    /// Returns an error if the next point is expected to have more than twice the allowed digits. A
+    /// smaller excess is found only after the step.
     pub(super) fn check_expected_digits(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
@@ -193,8 +193,8 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
-        // In lowest terms, let the coordinate be σ times X/W, with σ = s/t. Then the coordinate is
-        // sX/(tW), and gcd(sX, tW) = gcd(s, W)·gcd(t, X).
+        // Let X/W and σ = s/t be in lowest terms. The coordinate σX/W is sX/(tW), and gcd(sX, tW) =
+        // gcd(s, W)·gcd(t, X).
         let lost = short_gcd(&above, &weight) * short_gcd(&below, &x);
         let larger = (&above * x).max(&below * weight) / lost;
         let logarithm = natural_logarithm(&larger);

@@ -21,7 +21,7 @@ const LARGE_FACTOR_FRACTION: usize = 8;
 /// Returns gcd(Xᵢ, W) for each coordinate Xᵢ of a point and its last coordinate W ≠ 0.
 ///
 /// The product of the `parts` is W. The gcds of the previous point are `before`; they predict which
-/// gcds are large. If they are not known, either list is empty.
+/// gcds are large. An empty slice stands for unknown `parts` or an unknown `before`.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| LARGE_FACTOR_FRACTION * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {

@@ -6,8 +6,8 @@
 //!
 //! # Gain
 //!
-//! Few long products remain, and the lowest power of g in all N is divided out at no cost. The gcd
-//! of g with all N₀ divides the result, too. For E7 this gcd is g up to a few digits.
+//! Few long products remain. The result is divided by the lowest power of g in all N, at no cost,
+//! and by the gcd of g and the terms N₀, which for E7 is g up to a few digits.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -30,7 +30,7 @@ pub(crate) struct Splits {
 struct Split {
     /// For each coordinate, W last: whether it is the common factor g times a short number.
     is_short: Vec<bool>,
-    /// The plan of all nonzero Nⱼ of the map's polynomials N = Σ gʲ Nⱼ, one N after another.
+    /// The plan that computes the nonzero Nⱼ in N = Σ gʲ Nⱼ, for one N of the map after another.
     plan: Plan,
     /// For each nonzero Nⱼ in N = Σ gʲ Nⱼ: j minus the exponent of g that is divided out.
     degrees: Vec<Vec<usize>>,
@@ -41,8 +41,8 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Looks for a g with most of W's digits that divides W and some Xᵢ. Returns the image of the
-    /// point without factors of g that all its coordinates have; `None` if there is no such g.
+    /// Looks for a g with at least half of W's digits that divides W and some Xᵢ; `None` if there
+    /// is none. Otherwise returns the image of the point, divided by common factors.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LEAST_SPLIT_BITS)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();

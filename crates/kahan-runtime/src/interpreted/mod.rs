@@ -153,7 +153,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 
 type Registers<T> = SmallVec<[T; 64]>;
 
-/// Resizes the registers and returns them as a slice, whose pointer is not read again at each use.
+/// Resizes the registers and returns them as a slice.
 #[inline]
 fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
     registers.resize(size, T::zero());

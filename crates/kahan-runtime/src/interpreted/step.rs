@@ -11,8 +11,8 @@ use super::{Interpreted, Registers, sized};
 
 /// The step of an [`Interpreted`] system at one ε, with the constants of the step.
 ///
-/// `COST` is always that of elimination, because it is a constant. The actual cost is
-/// [`Interpreted::cost`].
+/// `COST` cannot depend on the field, since it is an associated constant. It is the cost of
+/// elimination; the actual cost is [`Interpreted::cost`].
 #[derive(Clone, Debug)]
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,
@@ -45,7 +45,7 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
-    /// An ensemble of an interpreted system advances one trajectory at a time.
+    /// Never used, because `HAS_LANES` is false for this step.
     type Wide<L: Scalar> = InterpretedStep<L, N>;
 
     #[inline]

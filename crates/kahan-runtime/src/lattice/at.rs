@@ -17,10 +17,10 @@ use crate::{DimensionError, ParameterError};
 use super::runtime_family::RuntimeFamily;
 use super::{LatticeCode, LatticeError};
 
-/// The map of a family at a fixed ε, half the time step, for a fixed number of sites.
+/// The map of a chain at a fixed ε, half the time step.
 ///
-/// A state holds the values of all arrays at the first site, then those at the second site, and so
-/// on. [`step`](Self::step) does not allocate.
+/// A state holds the variables of the first site, then those of the second site, and so on.
+/// [`step`](Self::step) does not allocate.
 #[derive(Debug)]
 pub struct ChainAt {
     code: Arc<LatticeCode>,
@@ -132,7 +132,7 @@ impl ChainAt {
     }
 }
 
-/// Steps panic if the length of a state is not that of the chain.
+/// Steps panic if the length of a state is not [`unknowns`](ChainAt::unknowns).
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

@@ -1,8 +1,8 @@
 //! Families read at run time, as maps of chains with any number of sites.
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
-//! and parameters. Out: steps in `f64` with the bits of compiled families. Last bits differ for
-//! long chains with a stencil that [`StencilMenu`] lacks: these are eliminated as a whole.
+//! and parameters. Out: steps in `f64` with the bits of compiled families. For a stencil that
+//! [`StencilMenu`] lacks, a long chain is eliminated as a whole, so last bits differ.
 
 mod at;
 mod error;
@@ -40,11 +40,11 @@ struct LatticeCode {
     constants: Line,
     /// The numbers in the equations, which follow the prepared constants in memory.
     literals: Vec<Literal>,
-    /// The program that computes, at one site, the field (of each array) and the rows of A(x,ε).
+    /// The program that computes, at one site, the field for each array, and the rows of A(x,ε).
     rows: Program,
     /// The program that computes a site's contribution to each integral, then to the Hamiltonian.
     sums: Program,
-    /// The indices, among the entries of the rows of A at a site, of those that may differ from 0.
+    /// In the rows of A at a site, the indices of the entries that are not always 0.
     entries: Vec<usize>,
     sizes: Sizes,
 }

@@ -38,7 +38,7 @@ struct Instruction {
     places: [OperandOffset; 3],
 }
 
-/// The offset of an operand: `numbers` + `registers`·(number of lanes, known at run time).
+/// The offset of an operand, `numbers` + `registers`·L for L SIMD lanes. L is known at run time.
 #[derive(Clone, Copy, Debug, Default)]
 struct OperandOffset {
     numbers: usize,
@@ -155,8 +155,8 @@ impl Program {
     }
 
     /// Returns the position of an operand in memory: first registers, then arrays and site
-    /// parameters, then constants. A register or constant takes a number for each of
-    /// [`SITES_PER_INSTRUCTION`] sites; an array also has neighbouring sites.
+    /// parameters, then constants. A register or constant takes one number for each of
+    /// [`SITES_PER_INSTRUCTION`] sites. An array also holds neighbours of these sites.
     fn place(&self, operand: Operand) -> OperandOffset {
         let (numbers, registers) = match operand {
             Operand::Register(k) => (k * SITES_PER_INSTRUCTION, 0),
@@ -286,7 +286,7 @@ impl OverLanes<f64> for RunOverLanes<'_> {
             for index in 0..count {
                 let to = &mut self.numbers[program.array(array + index)..];
                 let from = &gathered[(site - program.reach) * count * width..];
-                // The last stencils may reach beyond the chain; results there are never read.
+                // The chain may end before the last stencils do, whose results are never read.
                 let seen = (from.len() / (count * width)).min(sites + 2 * program.reach);
                 for site in 0..seen {
                     for register in 0..width / L::WIDTH {

@@ -19,7 +19,7 @@ const CAN_RUN: bool = cfg!(feature = "jit");
 /// The number of steps after which the code of an elimination is compiled. Compiling saves time
 /// after some 300 steps for 9 dense variables, and after 7000 for 50 sparse ones.
 const STEPS_BEFORE_CODE: u64 = 256;
-/// The number of operations in an elimination that delay its compilation by one more step.
+/// Compilation waits one more step for each such number of operations in an elimination.
 const OPERATIONS_A_STEP: u64 = 8;
 
 /// A table of compiled code; keys are kinds of steps, a value is `None` if compilation failed.

@@ -70,7 +70,7 @@ fn guard_below(a: Double, exponent: i32) {
 }
 
 /// Sets the guard, the program's last result, to NaN unless |a| is between 2^−k and 2^k, where k is
-/// [`DIVISOR_EXPONENT`]. The argument `inverse` is near 1/a.
+/// [`DIVISOR_EXPONENT`]. For small |a|, `inverse`, which is near 1/a, is too large.
 fn note_moderate(a: Double, inverse: Double) {
     guard_below(a, 1024 - DIVISOR_EXPONENT);
     guard_below(inverse, 1024 - DIVISOR_EXPONENT);

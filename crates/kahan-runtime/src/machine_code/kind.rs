@@ -20,7 +20,7 @@ pub(crate) struct StepKind {
 pub(crate) enum GroupKind {
     Steps(StepKind),
     Carrying(TangentKind),
-    /// Integrals, which are written after the points; the constants are the parameters and ε.
+    /// Code that writes integrals after each point. Its constants are the parameters and ε.
     Integrals,
 }
 

@@ -130,8 +130,8 @@ impl TangentKind {
             };
             let mut squares = Vec::new();
             for k in 1..=self.vectors {
-                // All vectors are propagated from the same point, so that common subexpressions are
-                // compiled once.
+                // All vectors use one traced point, so that common subexpressions in x are compiled
+                // once.
                 let v = Traced::states(k * n..(k + 1) * n);
                 let carried = if self.is_variational {
                     let mut next = self.kind.next(step, [&x[..], &v].concat())?;

@@ -38,7 +38,7 @@ pub struct ObservationRequest<'a> {
 }
 
 impl ObservationRequest<'_> {
-    /// The bound of [`Observable::Escape`] if [`escape`](Self::escape) is `None`.
+    /// The bound on |xᵢ| for [`Observable::Escape`] if [`escape`](Self::escape) is `None`.
     pub const USUAL_SIZE: f64 = 1e6;
 
     fn escape_bound(&self) -> f64 {

@@ -1,5 +1,5 @@
-//! The names, columns and labels of observables, and the observed values as numbers for the
-//! columns.
+//! The names, columns and labels of observables, and the conversion of an observed value to one
+//! number for each column.
 
 use kahan_core::observe::{Drifted, Exponent, Extremes, RotationNumber};
 
@@ -18,7 +18,7 @@ pub(super) struct ObservableInfo {
     is_logarithmic: bool,
 }
 
-/// The objects for which an observable has columns: the whole orbit, or all objects of one kind.
+/// The columns of an observable: of the whole orbit, or of each variable, integral or index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ColumnScope {
     Orbit,
@@ -57,7 +57,7 @@ impl ObservableInfo {
         ObservableInfo { is_usual: true, ..self }
     }
 
-    /// Offers the observable as the colour of charts; `label` is its text in the legend.
+    /// Lets charts colour orbits by the observable, which the legend calls `label`.
     pub(super) const fn colour(self, label: &'static str) -> Self {
         ObservableInfo { label: Some(label), ..self }
     }
@@ -80,7 +80,7 @@ pub enum ObservedValue {
     Exponent(Exponent),
     /// Lyapunov exponents in descending order.
     Spectrum(Vec<Exponent>),
-    /// A chaos indicator, or the mean of log |det ∂x̃/∂x|.
+    /// The value of the observable `LogDet`, `Fli`, `Megno` or `Sali`.
     Number(f64),
     /// The rotation of each variable, in full turns per step.
     Turns(Vec<RotationNumber>),
@@ -120,8 +120,8 @@ impl Observable {
         self.about().name
     }
 
-    /// Returns the name in results. If there are columns only for the orbit as a whole, this is the
-    /// name of the first column, otherwise the name in requests.
+    /// Returns the name in results. For an observable of the whole orbit, this is the name of its
+    /// first column; for others, it is the name in requests.
     #[must_use]
     pub fn key(self) -> &'static str {
         let ObservableInfo { name, of, columns, .. } = self.about();

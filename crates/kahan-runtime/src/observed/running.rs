@@ -25,7 +25,7 @@ use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
 
-/// The extremes of each variable xᵢ and of ẋᵢ. Rotation is measured about their midpoints.
+/// The extremes of each xᵢ, then those of each ẋᵢ. Their midpoints are the centers of rotation.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
@@ -319,7 +319,6 @@ pub(super) fn observe_one<T: MachineFloat + EmbedScalar + PartialOrd>(
     // If an observer ended the orbit, the end that it reports is used.
     let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
-        // The second pass makes as many steps as the first, or none if the first was stopped.
         let steps = end.steps(asked.steps);
         let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
         let turns = step.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;

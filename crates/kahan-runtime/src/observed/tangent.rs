@@ -1,4 +1,4 @@
-//! Propagates tangent vectors along an orbit, for lifted fields in the original variables.
+//! Propagates tangent vectors along an orbit, for a lifted field in its original variables only.
 //!
 //! Lifting adds variables w = g(x). A tangent vector e of x then corresponds to (e, Dg·e), where Dg
 //! is the Jacobian of g. The space of these vectors, called the plane, is propagated from point to
@@ -6,9 +6,9 @@
 //!
 //! # Resets
 //!
-//! If the map preserves w = g(x), the propagated plane stays near the vectors (e, Dg·e). Resets to
-//! these at every step would change Lyapunov exponents by a term of order ε. Therefore the plane is
-//! reset only if its error exceeds [`LARGEST_DERIVATIVE_ERROR`].
+//! If the map preserves w = g(x), the propagated plane stays near the plane of the vectors (e,
+//! Dg·e). Replacing it by that plane at every step would change Lyapunov exponents by a term of
+//! order ε. Therefore the plane is reset only if its error exceeds [`LARGEST_DERIVATIVE_ERROR`].
 
 use core::fmt;
 use std::cell::RefCell;
@@ -29,15 +29,14 @@ pub trait Relations: fmt::Debug + Sync {
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
 }
 
-/// The bound on relative errors of the propagated derivatives of a variable that lifting added.
-/// Beyond it, the derivatives are computed anew.
+/// If the propagated gradient of an added variable has a larger relative error, the plane is reset.
 const LARGEST_DERIVATIVE_ERROR: f64 = 1.0 / 64.0;
 
 #[derive(Clone, Debug)]
 pub(super) struct TangentCarrier<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
-    /// The propagated tangent plane of a lifted field; `None` if tangent vectors are in all
-    /// variables.
+    /// The propagated plane of a lifted field; `None` if tangent vectors have an entry for every
+    /// variable.
     pub(super) plane: Option<Rc<RefCell<CarriedPlane<'a, T>>>>,
 }
 
@@ -51,7 +50,7 @@ pub(super) struct CarriedPlane<'a, T: MachineFloat> {
     basis: Vec<Vec<T>>,
     /// The images of the rows of `basis` under the last step, restricted to the original variables.
     images: Vec<Vec<T>>,
-    /// For each function g, the largest squared norm of its gradient so far.
+    /// For each added variable, the largest squared norm of its gradient so far.
     largest: Vec<f64>,
 }
 

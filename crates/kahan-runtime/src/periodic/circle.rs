@@ -69,7 +69,7 @@ fn has_root_outside(polynomial: &Polynomial) -> bool {
     let Some(mut rest) = polynomial.checked_div(&shared) else { return false };
     // Test of Schur and Cohn for a polynomial without roots on the circle. The product of its roots
     // has the absolute value |constant/leading coefficient|; if this is at least 1, a root lies
-    // outside. Otherwise, by Rouché's theorem, the next `rest` has as many roots outside.
+    // outside. Otherwise, by Rouché's theorem, `without_last` has as many roots outside.
     while rest.degree() > 0 {
         let leading = rest.coefficient(&Monomial::power(Z, rest.degree()));
         let last = rest.coefficient(&Monomial::one());
@@ -110,8 +110,8 @@ mod tests {
             (of(&[-3, 1], 1), [false, false, true]),
             (of(&[2, 1], 1), [false, false, true]),
             (of(&[10201, -12000, 10000], 10000), [false, false, true]),
-            // The roots are (3 ± √5)/2, reciprocals of each other; then (1 ± √5)/2, whose product
-            // is −1.
+            // The first polynomial has the roots (3 ± √5)/2, which are reciprocals of each other.
+            // The second has the roots (1 ± √5)/2, whose product is −1.
             (of(&[1, -3, 1], 1), [true, false, true]),
             (of(&[-1, -1, 1], 1), [true, false, true]),
         ];

@@ -32,8 +32,8 @@ pub struct RationalCycle {
 }
 
 impl RationalCycle {
-    /// Removes one multiplier 1 from the cycle for each of `integrals` independent integrals. The
-    /// other multipliers describe perturbations that keep these integrals constant.
+    /// Removes as many multipliers 1 as there are independent `integrals`. The other multipliers
+    /// describe perturbations that keep these integrals constant.
     #[must_use]
     pub fn on_leaf(self, integrals: usize) -> Self {
         let own = &Polynomial::variable(Z) - &Polynomial::one();
@@ -119,7 +119,7 @@ fn simplest_between(low: &Rational, high: &Rational) -> Option<Rational> {
         let one = Rational::one();
         (low, high) = (one.checked_div(&(&high - &floor))?, one.checked_div(&(&low - &floor))?);
         taken.push(floor);
-        // A limit on the loop; fewer terms distinguish all doubles.
+        // Only a safeguard: the continued fractions of two doubles differ in an earlier term.
         if taken.len() > 100 {
             return None;
         }

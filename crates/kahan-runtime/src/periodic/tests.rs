@@ -162,7 +162,7 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
     assert_eq!(plane.rational_cycle(&Rational::from(2), &cycle).unwrap().polynomial, expected);
 }
 
-/// Returns whether a branch has exactly these bifurcations, each with its parameter within a bound.
+/// Returns whether a branch's bifurcations have these kinds, and parameters within the bounds.
 fn has_turns(branch: &Branch, expected: &[(BranchChange, f64, f64)]) -> bool {
     let pairs = branch.turns.iter().zip(expected);
     let is_near = |(turn, (change, at, bound)): (&ChangePoint, &(BranchChange, f64, f64))| {
@@ -206,8 +206,8 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (BranchChange::ThroughCircle, 470.0 / 19.0, 1e-9);
-    // Near r = 1, a point at the distance d from the branch has a residual of order d³ and an error
-    // of order d² in r. A residual of 10⁻¹² therefore gives an error of 10⁻⁸ in r.
+    // Equilibria satisfy x(r − 1 − x²/b) = 0. For x = 10⁻⁴, an error of 10⁻⁸ in r changes the
+    // left-hand side by only 10⁻¹².
     let fold = (BranchChange::Fold, 1.0, 1e-7);
     assert!(has_turns(&branch, &[hopf, fold, hopf]), "{:?}", branch.turns);
     let last = branch.points.last().unwrap();

@@ -11,7 +11,7 @@ fn of_text(text: &str) -> Field {
 fn slices_and_matrices_are_the_field_of_a_text() {
     let text = of_text("x1dot = 1/2 + x2 - 3*x1*x2; x2dot = x1/4 + x2^2;");
     let (c, b) = ([0.5, 0.0], [0.0, 1.0, 0.25, 0.0]);
-    // `whole` has an entry for each ordered pair xⱼxₖ; `once` has one each for x₁², x₂x₁ and x₂².
+    // Quadratic coefficients: `whole` has all ordered pairs xⱼxₖ; `once` has x₁², x₂x₁ and x₂².
     let whole = [0.0, -1.0, -2.0, 0.0, 0.0, 0.0, 0.0, 1.0];
     let once = [0.0, -3.0, 0.0, 0.0, 0.0, 1.0];
     let matrices = Field::from_coefficients(

@@ -76,8 +76,8 @@ fn backward_error(a: &[Vec<f64>], right: &[f64], d: &[f64]) -> f64 {
     rest / (size * norm(d.iter().copied()) + norm(right.iter().copied()))
 }
 
-/// If entries do not grow, partial pivoting has a backward error of at most n·u, where u is the
-/// unit roundoff (Higham 2002, §9.3).
+/// If entries do not grow during elimination, partial pivoting has a backward error of at most n·u,
+/// where u is the unit roundoff (Higham 2002, §9.3).
 #[test]
 fn steps_along_couplings_are_as_good_as_partial_pivoting() {
     let mut random = Random(29);

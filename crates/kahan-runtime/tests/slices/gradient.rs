@@ -92,7 +92,7 @@ fn gradients_are_those_of_derivatives_carried_forward() {
     gradients_are_those_carried_forward::<Dd>(fields(), &compositions[..2], 1e-27);
 }
 
-/// At a = ε = 1 the diagonal of A nearly vanishes, so the solver chooses pivots.
+/// At a = ε = 1 the diagonal of A nearly vanishes, so that elimination exchanges rows.
 #[test]
 fn gradients_of_sparse_fields_are_those_of_differences() {
     let n = 250;

@@ -1,4 +1,4 @@
-//! Maps over points in all units: orbits, steps with error bounds, ensembles, and settings.
+//! Maps over points in all units: orbits, steps with error bounds, ensembles, and `Scene`s.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;

@@ -9,8 +9,8 @@ use kahan_program::{Arithmetic, Calls, Program};
 
 use super::{Called, Formula, Operation};
 
-/// A formula that is evaluated on several orbits at once, with constants for each orbit. Each
-/// result has the bits of [`Formula::of`].
+/// A formula that is evaluated on several orbits at once, with constants for each orbit. Results
+/// equal, bit for bit, those of [`Formula::of`] on one orbit.
 pub(crate) struct FormulaGroup {
     program: Program<Vec<Operation>>,
     variables: Vec<(usize, usize)>,

@@ -19,7 +19,7 @@ const SOLUTION: &str = "
     Z(n) := tau*gamma*(4*N(n)^2 - 1)/(2*eps*(4*tau^2 - 1)*N(n))
         + 2*tau^2*beta^2*xi*(4*N(n)^2 - 1)*G0^2/(eps*N(n))*W(n)";
 
-/// The formulas of `SOLUTION` without arguments: g is g(n), and W is W(n). `step(F)` is F at n + 1.
+/// `SOLUTION` at a fixed n, with g for g(n) and W for W(n). `step(F)` is F at n + 1.
 const STEP: &str = "
     X := 1/(2*eps*N); Y := tau*beta/(2*eps*N)*g*G0;
     Z := tau*gamma*(4*N^2 - 1)/(2*eps*(4*tau^2 - 1)*N) + 2*tau^2*beta^2*xi*(4*N^2 - 1)*G0^2/(eps*N)*W;

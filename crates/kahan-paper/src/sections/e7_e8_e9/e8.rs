@@ -4,7 +4,7 @@ use super::super::super::claim::Claim;
 use super::super::super::section::Section;
 use super::super::text::read;
 
-/// The series ε²K̂₈ = Z/(4N²−1) + Σ t_j, where t_j is the value of `t` after j steps.
+/// Defines N, Z and t in the series ε²K̂₈ = Z/(4N²−1) + Σ t_j, where t_j is t after j steps.
 const SERIES: &str = "
     u := 1/(2*eps*x); N := 1/(2*eps*x); Y := y/x; Z := z/x;
     t := 2*(Y + next(Y) + 2*Y*next(Y))/((4*N^2 - 1)*(2*N + 3))";

@@ -4,7 +4,7 @@ use super::super::super::claim::Claim;
 use super::super::text::read;
 use super::{Solution, solution_claim};
 
-/// The solutions of Theorem 3 with δ and κ shifted by πi/2, and with ν = iμ in place of μ.
+/// Second branches of solutions in Theorem 3, with πi/2 added to the parameters δ and κ.
 pub(super) static BRANCHES: [(Solution, [&str; 3]); 2] = [
     (
         Solution {

@@ -42,7 +42,7 @@ theorem3.e1.tau | Theorem 3, i = 1, tau | tau = 1/(2*eps*X(0))
 theorem3.e2.tau | Theorem 3, i = 2, tau | tau = 1/(2*eps*X(0))
 ";
 
-/// The integrals h = 2ε²H and g = 2ε²K in terms of s = sn²δ and k2 = k², where k is the modulus.
+/// The values h = 2ε²H and g = 2ε²K by s = sn²(δ, k) and k2 = k², for the parameters δ and k.
 const VALUES: &str = "
     c := 1 - s; d2 := 1 - k2*s;
     h := (1 - k2)*s/(2 - (1 + k2)*s); g := 1 - 2*c*d2/(c + d2)";

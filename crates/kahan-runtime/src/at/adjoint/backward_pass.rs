@@ -14,7 +14,7 @@ use super::terms::Terms;
 const LARGEST_GROWTH: f64 = 1024.0;
 
 pub(super) struct BackwardPass<'a, T: RuntimeFloat> {
-    /// Kahan's map at γε, with γ, for each distinct coefficient γ of the composition.
+    /// For each distinct coefficient γ of the composition: Kahan's map at γε, and γ itself.
     distinct: Vec<(MapAt<T>, T)>,
     /// The terms of the field; `None` if coefficients depend on ε.
     terms: Option<Terms<T>>,
@@ -86,8 +86,8 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
             self.take_by_duals(stage, x, gradient);
         } else {
             let half = T::one() / (T::one() + T::one());
-            // For the field f(x) = c + Bx + Q(x,x), the right-hand side c + ½B(x + x̃) + Q(x,x̃) of
-            // the step equals c + ½Bx + ½f′(x)x̃.
+            // Let f(x) = c + Bx + Q(x,x). The right-hand side c + ½B(x + x̃) + Q(x,x̃) of the step
+            // equals c + ½Bx + ½f′(x)x̃. Its scalar product with μ becomes `along`.
             let mut along = terms.along_linear(x, mu);
             gradient.start.copy_from_slice(mu);
             for (((i, j), before), behind) in solver.entries().iter().zip(&*before).zip(&*behind) {

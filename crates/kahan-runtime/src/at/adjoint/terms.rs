@@ -17,12 +17,12 @@ type States = [Option<usize>; 2];
 #[derive(Debug)]
 pub(super) struct Terms<T> {
     entries: Vec<(T, usize)>,
-    /// The linear terms k·x of each entry of f′ in turn: the index of the state x, and k.
+    /// The linear terms k·x of the entries of f′, entry by entry: the index of x, and k.
     slopes: Vec<(usize, T)>,
     /// The constant and linear terms of f: component, state if any, and coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
-    /// The terms whose coefficients depend on parameters: component, states, and the index in
-    /// `by_parameters` behind the term's last derivative.
+    /// The terms whose coefficients depend on parameters: component, states, and the end of the
+    /// term's range in `by_parameters`.
     varying: Vec<(usize, States, usize)>,
     /// The derivatives of the coefficients in `varying`: the index of the parameter, and the
     /// number.
@@ -38,7 +38,7 @@ struct Coefficient {
 
 impl Coefficient {
     fn add(&mut self, number: &Rational, powers: &[(usize, u32)], values: &[Rational]) {
-        // Computes `number` times all powers. For `Some(i)`, the i-th exponent is reduced by 1.
+        // `number` times all parameter powers. `Some(i)` lowers exponent i by 1, for a derivative.
         let product = |lowered: Option<usize>| {
             powers.iter().enumerate().fold(number.clone(), |product, (place, (k, power))| {
                 let power = power - u32::from(lowered == Some(place));
@@ -67,7 +67,7 @@ impl Coefficient {
     }
 }
 
-/// Returns the coefficients of a polynomial. Each has the states that it multiplies as key.
+/// Returns the coefficients of a polynomial, keyed by the states that they multiply.
 fn coefficients(
     polynomial: &Polynomial,
     symbols: &Symbols,
