@@ -1,4 +1,4 @@
-//! The norm ‖f′(x)‖∞ of a field's Jacobian, and the reasons why a system cannot be run.
+//! The norm ‖f′(x)‖∞ of a field's Jacobian, and [`CannotRun`], the error for fields without a map.
 
 use kahan_runtime::interpreted::UnsupportedDimension;
 use kahan_runtime::{MapAt, ParameterError};
@@ -23,7 +23,7 @@ impl core::fmt::Display for CannotRun {
 
 impl core::error::Error for CannotRun {}
 
-/// Returns ‖f′(x)‖∞ for the field f of the map.
+/// Returns the norm ‖f′(x)‖∞ of the Jacobian of the field f that `at` discretises.
 pub(crate) fn rate(at: &MapAt<f64>, x: &[f64]) -> f64 {
     let mut jacobian = vec![0.0; x.len() * x.len()];
     // Both slices have the lengths that the field requires, so the call succeeds.

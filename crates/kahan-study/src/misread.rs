@@ -1,4 +1,4 @@
-//! Mistakes in questions and in descriptions of fields (subjects), with their paths in the JSON.
+//! Mistakes in the JSON of questions and fields, each with its path.
 
 use std::fmt;
 

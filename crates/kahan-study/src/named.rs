@@ -1,4 +1,4 @@
-//! Ordered values by name, written as objects of JSON.
+//! Lists of named values. In JSON they are objects that keep the order of the list.
 
 use serde::{Serialize, Serializer};
 

@@ -13,7 +13,7 @@ pub trait FileNumber: Sized {
     /// Reads a cell of text, which may be empty; `None` if the cell is not a number.
     fn of_text(cell: &str) -> Option<Self>;
 
-    /// Converts a float of an array.
+    /// Converts an entry of a NumPy array of floats.
     fn of_float(float: f64) -> Self;
 }
 
@@ -51,8 +51,8 @@ pub struct Numbers<V = f64> {
 }
 
 impl<V: FileNumber> Numbers<V> {
-    /// Reads a NumPy array if `name` ends in `.npy`, otherwise CSV with or without a header. A
-    /// column named `ended` holds words and gives no numbers.
+    /// Reads a NumPy array if `name` ends in `.npy`, otherwise CSV with or without a header. The
+    /// cells of a CSV column `ended` count as empty, because tables of orbits hold words there.
     ///
     /// # Errors
     /// A sentence that describes the mistake.
@@ -62,8 +62,8 @@ impl<V: FileNumber> Numbers<V> {
 }
 
 impl Numbers<Option<Rational>> {
-    /// Reads a point from each row. Named columns are matched with the states. Columns without
-    /// names are the states in their order; a first column 0, 1, 2, … is skipped.
+    /// Reads a point from each row. If the columns have names, they are matched with the state
+    /// variables. Otherwise they are the state variables in order.
     ///
     /// The error text continues a sentence that begins with the file's name.
     pub fn points(&self, wanted: &ExpectedColumns<'_>) -> Result<Vec<Vec<Rational>>, String> {

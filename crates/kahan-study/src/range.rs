@@ -114,7 +114,7 @@ impl Range {
         is_spaced.then_some(range)
     }
 
-    /// Describes what is wrong with a range of at most `most` values, and how to correct it.
+    /// Checks the range, which may have at most `most` values. An error says how to correct it.
     fn check(&self, most: u64) -> Result<(), String> {
         let Range { from, to, .. } = self;
         let way = to - from;
@@ -153,7 +153,7 @@ impl Range {
             Spacing::Count(count) | Spacing::Cells(count) => *count,
             Spacing::Step(step) => {
                 let steps = (&self.to - &self.from).checked_div(step).expect("a range has steps");
-                // Rounding may give the next whole number, but no larger one.
+                // `to_f64` may round `steps` up to a whole number, but no further.
                 let near = steps.to_f64() as usize;
                 if Rational::from(near as i64) > steps { near } else { near + 1 }
             }

@@ -93,7 +93,7 @@ impl Rates {
 
 /// Estimates the spectral radius by power iteration, as the mean growth factor of a vector.
 fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
-    // A vector with a symmetry of the field would keep it under f′; this vector has none.
+    // Power iteration may keep a symmetry of the start vector, so this vector has none.
     let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();
     let mut product = vec![0.0; n];
     let [before, measured] = PRODUCT_COUNTS;

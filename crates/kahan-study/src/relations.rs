@@ -1,4 +1,4 @@
-//! The errors of a lift's relations, such as sin_x = sin(x), along an orbit, and their description.
+//! Measures and describes errors of a lift's relations, such as sin_x = sin(x), along an orbit.
 
 use std::ops::ControlFlow;
 
@@ -98,8 +98,8 @@ fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
 }
 
 impl Subject {
-    /// Reads the field like [`study`](Subject::study). If no first point is given, the lift is
-    /// chosen along [`Study::shown_orbit`], provided that all parameters have values.
+    /// Reads the field like [`study`](Subject::study). If no first point is given, lifts are
+    /// compared along [`Study::shown_orbit`]. For this, all parameters must have values.
     ///
     /// # Errors
     /// The errors of [`study`](Subject::study).
@@ -153,7 +153,7 @@ impl RelationFound {
         self.verdict_asking("give a first point")
     }
 
-    /// Describes the error along the orbit; without an orbit, asks for one with `for_point`.
+    /// Describes the error along the orbit. Without an orbit, repeats the advice `for_point`.
     #[must_use]
     pub fn verdict_asking(&self, for_point: &str) -> String {
         let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));

@@ -239,13 +239,13 @@ impl Serialize for Table {
 /// The reason why the rows of an orbit ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ending {
-    /// The kind of end, with the number of steps before it.
+    /// The kind of the end.
     pub end: End,
     /// The number of steps to the last point; all steps if the orbit is complete.
     pub step: u64,
     /// A sentence on why no next point exists; `None` for a complete or interrupted orbit.
     pub why: Option<String>,
-    /// The name of an option, and a value with which the orbit may go on.
+    /// The name and the value of an option with which the orbit might not end here.
     pub instead: Option<[&'static str; 2]>,
     /// A remark about the orbit, unrelated to its end, as a sentence.
     pub note: Option<String>,
@@ -256,7 +256,7 @@ impl Ending {
         Ending { end, step, why: None, instead: None, note: None }
     }
 
-    /// Returns the reason why the orbit ended, with an option that may help, spelled by `spelling`.
+    /// Returns the reason why the orbit ended, and an option that may help, written by `spelling`.
     #[must_use]
     pub fn in_words(&self, spelling: Spelling) -> Option<String> {
         let instead = self.instead.map(|[name, value]| format!("; try {}", spelling(name, value)));

@@ -31,8 +31,8 @@ const STEPS: u64 = 4000;
 const ESCAPE_RATIO: f64 = 1e3;
 /// The error of a lift's relations above which a smaller ε is tried.
 const LARGEST_ERROR: f64 = 0.1;
-/// The coordinates of first points: small fractions for exact orbits, all different to avoid
-/// symmetry axes.
+/// The coordinates of first points, simple fractions for exact orbits. They differ, because points
+/// with equal coordinates often lie on a symmetry axis.
 const START_COORDINATES: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 /// Sizes of first points, relative to the field's length scale, in the order of trial.
 const START_SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
@@ -40,8 +40,8 @@ const START_SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), 
 impl Study {
     /// Returns an orbit to show; chooses ε and the start if they are not given.
     ///
-    /// ε is a power of two, small compared with 1/‖f′(x)‖∞ on a trial orbit. The start is the first
-    /// of some points whose orbit stays bounded and keeps moving. Costs some orbits of 4000 steps.
+    /// ε is a power of two, small compared with 1/‖f′(x)‖∞ on a trial orbit. Starts are tried until
+    /// an orbit stays bounded and keeps moving. Costs some orbits of 4000 steps.
     ///
     /// # Errors
     /// [`StudyError`]: missing values, a point that does not fit, or a field that is undefined at
@@ -54,7 +54,7 @@ impl Study {
         let start = start.map(<[Rational]>::to_vec).or_else(|| self.start());
         start.as_ref().map(|start| self.point(start)).transpose()?;
         let map = self.map()?;
-        // The coefficients of a lift do not determine a length scale of the original variables.
+        // The coefficients of a lifted field do not determine a length scale, so its length is 1.
         let is_lifted = self.lift().is_some_and(|lift| lift.order() > 0);
         let length = if is_lifted { 1.0 } else { length_scale(self.system(), map.parameters(), eps) };
         let starts =
@@ -69,11 +69,11 @@ impl Study {
                     continue;
                 }
             };
-            // Without a lift, `rate` exceeds the frequencies, so `share` = ε·`rate` may be larger.
+            // `share` bounds ε·`rate`. Without a lift, `rate` overestimates frequencies.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
-            // In each later trial, ε follows from the rate along the previous orbit. There are two
-            // trials; for lifted fields up to four, until an orbit stays bounded.
+            // ε follows from the largest rate so far. There are two trials. Lifted fields get up to
+            // two more while no orbit stays bounded.
             for look in 0..4 {
                 if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
                     break;
@@ -152,13 +152,13 @@ impl<'a> StepsAndRates<'a> {
         let Some((lift, own)) = &self.lift else { return 0.0 };
         let (states, new) = x.split_at(lift.states.len());
         let values = lift.embed(states, own).into_iter().zip(new).zip(&lift.new);
-        // A new variable without an expression is the mechanical work, no function of the state.
+        // The work done by the forces has no expression, because it is no function of the state.
         let values = values.filter(|(_, new)| new.expression.is_some());
         values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
 
-    /// Returns ‖f′‖∞, or for a lifted field √‖J²‖∞, where J is the Jacobian of the original
-    /// equations. For an oscillator, √‖J²‖∞ is the frequency.
+    /// Returns ‖f′‖∞. For a lifted field, returns the square root of ‖J²‖∞, where J is the Jacobian
+    /// of the original equations. For an oscillator this is the frequency.
     fn rate(&self, x: &[f64]) -> f64 {
         /// The step size of central differences, about the cube root of the rounding error.
         const DIFFERENCE_STEP: f64 = 1e-5;
@@ -318,7 +318,7 @@ mod tests {
         assert_eq!(round_below(f64::INFINITY), Rational::one());
     }
 
-    /// Chooses an orbit of the field with q = 2^k and nu = 2^j, and converts it to q = nu = 1.
+    /// Chooses an orbit for q = 2^k and nu = 2^j. Returns it in units in which q = nu = 1.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
         let power = |exponent: i32| f64::from(exponent).exp2();
         let field = Subject::text(text).study(&Systems).unwrap();

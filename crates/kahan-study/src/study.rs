@@ -32,7 +32,7 @@ pub enum NoStep {
     Range,
 }
 
-/// A field with parameter values, usable from any thread. All clones use the same plans.
+/// A field with parameter values, usable from any thread. Clones share all computed data.
 #[derive(Clone, Debug)]
 pub struct Study {
     read: Arc<ReadField>,
@@ -61,7 +61,7 @@ struct MapAtParameters {
 }
 
 impl Subject {
-    /// Reads the field; plans are made when a question first needs them.
+    /// Reads the field. The map is derived when a question first needs it.
     ///
     /// # Errors
     /// An unknown system, a text with mistakes, or an unknown parameter.
@@ -161,7 +161,7 @@ impl Study {
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 
-    /// Returns the name of a catalog system to which no parameter values are given; else `None`.
+    /// Returns the name of the field if it is a catalog system without given parameter values.
     #[must_use]
     pub fn as_it_stands(&self) -> Option<&'static str> {
         self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
@@ -241,7 +241,7 @@ impl Study {
     /// hold.
     pub fn proved(&self) -> Result<&System, StudyError> {
         let proof = || match self.read.sites {
-            // The claims of a family were proved on reading, for chains of every length.
+            // The claims of a family were proved for all chain lengths when the family was read.
             Some(_) => Ok(()),
             None => self.read.text.prove(self.system()).map_err(StudyError::Field),
         };
@@ -309,7 +309,7 @@ impl Study {
         }
         let mut system = self.system().clone();
         for place in 0..system.claims.len() {
-            // A field has at most one unconditional density, so a further one keeps its condition.
+            // A field has at most one unconditional density. A second density keeps its condition.
             let claim = &system.claims[place];
             let is_second =
                 claim.kind == ClaimKind::Density && system.accessors(ClaimKind::Density).next().is_some();
@@ -414,7 +414,7 @@ impl Study {
         Err(StudyError::Coordinates { what: "at", variables: variables.to_vec(), given: at.len() })
     }
 
-    /// Returns the field with its plans, made on first use.
+    /// Returns the field. The first call derives the map.
     #[must_use]
     pub fn field(&self) -> &Field {
         self.read.field.get_or_init(|| Field::of(self.system()))

@@ -43,7 +43,7 @@ pub(crate) enum SubjectSource {
 
 /// A collection of named fields.
 pub trait Catalog {
-    /// Returns for every system and family its name, and the name of its type.
+    /// Returns the name and the type name of every system and family.
     fn names(&self) -> Vec<[&'static str; 2]>;
 
     /// Finds a system or family by one of its names, in upper or lower case.
@@ -79,7 +79,7 @@ impl Subject {
         Self::block(FieldText::new(text.into(), "field".to_owned()))
     }
 
-    /// Reads a field from a text, or from a range of a text. Messages name the text by its origin.
+    /// Creates a subject from the text of a field.
     #[must_use]
     pub fn block(text: FieldText) -> Self {
         Self::of(SubjectSource::Text(text))

@@ -1,4 +1,4 @@
-//! Formulas in the notation of `sympy.sympify`, and a script that defines the formulas of a sheet.
+//! Writes formulas in the notation of `sympy.sympify`, and a Python script that defines them.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -15,7 +15,7 @@ use crate::question::{ClaimShown, FormulaSheet};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymPy;
 
-/// Keywords of Python, and functions to which `sympify` translates numbers and names.
+/// Names with a meaning in Python or `sympify`, which cannot be names of symbols.
 const KEYWORDS: [&str; 37] = [
     "Integer", "Symbol", "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class",
     "continue", "def", "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import",
@@ -28,7 +28,7 @@ fn python(text: &str) -> String {
     for part in text.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_') {
         let name = part.trim_end_matches(|c: char| !c.is_alphanumeric() && c != '_');
         formula += name;
-        // A name `lambda_` becomes `lambda__`, because `lambda` becomes `lambda_`.
+        // `lambda` becomes `lambda_`, so a name `lambda_` must become `lambda__`.
         formula += if KEYWORDS.contains(&name.trim_end_matches('_')) { "_" } else { "" };
         formula += match &part[name.len()..] {
             "^" => "**",

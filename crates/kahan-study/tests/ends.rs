@@ -11,7 +11,7 @@ use serde_json::json;
 
 /// Cases: a field, a start, ε, a number of steps, and the expected end of the orbit.
 const ENDS: [(&str, &[&str], &str, u64, End); 6] = [
-    // 1/x falls by 2ε in each step, so the tenth step is at the pole of the map.
+    // 1/x falls by 1/10 in each step. After nine steps x = 10, which is the pole of the map.
     ("xdot = x^2;", &["1"], "1/20", 11, End::Range(9)),
     ("xdot = x^2;", &["1"], "1/20", 9, End::Complete),
     // The orbit jumps over the pole of the flow.

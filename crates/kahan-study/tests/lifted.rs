@@ -132,7 +132,7 @@ fn a_lift_to_show_is_chosen_along_an_orbit() {
     let study = subject.study_to_show(&Systems).unwrap();
     assert_eq!(study.lift_start(), Some(rational(&[(1, 1), (1, 2)])));
     assert_eq!(fates(study), Some(RelationFate::Decays));
-    // If the text gives a start, the lift is chosen along the orbit from there.
+    // If the text gives a start, lifts are compared along the orbit from this start.
     let begun = Subject::text(format!("{neuron}\ninit v=1, w=0")).lifted(LiftCriterion::Automatic);
     assert_eq!(begun.study_to_show(&Systems).unwrap().lift_start(), Some(rational(&[(1, 1), (0, 1)])));
     let generic = Subject::text(PENDULUM).lifted(LiftCriterion::Automatic).study_to_show(&Systems).unwrap();

@@ -1,4 +1,4 @@
-//! Tests steps of lifted fields: symmetric projection, and orbits that end where a root reaches 0.
+//! Tests steps of lifted fields: symmetric projection, and orbits on which a square root reaches 0.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Step, Workspace};
@@ -160,7 +160,7 @@ fn torricellis_law_ends_where_the_water_does() {
             let asked =
                 Orbit { scalar, every, order, ..Orbit::new(rational(1, 64), vec![rational(1, 1)], 500) };
             let found = asked.ask(&study, &Unwatched).expect("an orbit");
-            // The height h reaches 0 after 64 steps of 1/32; rounding may change the number by one.
+            // Without rounding errors, the height h would be 0 after 64 steps.
             let End::Range(steps) = found.ending.end else { panic!("{:?}", found.ending) };
             assert!((63..=65).contains(&steps), "{scalar:?} {every} {order}: {steps}");
             let why = found.ending.why.expect("a reason");

@@ -142,7 +142,7 @@ fn parameters_beside_starts() {
     assert_eq!(said, "c: one value for each of the 2 first points is needed");
 }
 
-/// For a method of order p, the error of a crossing time falls by 2^p if ε is halved.
+/// For a method of order p, halving ε divides the error of a crossing time by 2^p.
 #[test]
 fn times_of_crossings_have_the_order_of_the_method() {
     let pendulum = Subject::text("xdot = y; ydot = -x - x^2/2;").study(&Systems).expect("a field");
@@ -198,7 +198,7 @@ fn a_carried_orbit_goes_on() {
     let carried = asked(&turn, &Section { carry: true, ..plain });
     assert_eq!(anew.count(), 6);
     assert_eq!(carried.point(0), anew.point(0));
-    // With `carry`, the orbit for w = 1.5 starts on the section, so it crosses again after a turn.
+    // With `carry`, the second orbit starts on the section, and first crosses it a full turn later.
     let [first, next] = [&anew, &carried].map(|found| found.times()[2] * 1.5 / std::f64::consts::TAU);
     assert!((first - 0.75).abs() < 0.01 && (next - 1.0).abs() < 0.02, "{first} {next}");
 }

@@ -106,7 +106,7 @@ fn a_row_depends_on_its_number_alone() {
     assert_eq!(bits(&found.rows, 0..count as usize), bits(&all, 0..count as usize));
 }
 
-/// With `f64`, a cell with an orbit has the numbers of the same question for this cell alone.
+/// With `f64`, each cell with an orbit has the same numbers as the question asked for it alone.
 #[test]
 fn a_cell_has_what_the_question_answers_there() {
     let (study, over) = mixed();

@@ -29,8 +29,8 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
     Reference::of(map, &asked, &TrajectoryLimits::default())
 }
 
-/// The flows turn a rounding error of double-double, 2⁻¹⁰⁶ ≈ 1.2e-32, into an error of at most
-/// 1.2e-28. Eight times as much is allowed, because there are several rounding errors.
+/// The flows of these tests amplify a rounding error of 2⁻¹⁰⁶ ≈ 1.2e-32 to at most 1.2e-28. Eight
+/// times as much is allowed, because there are several rounding errors.
 const AGREEMENT: f64 = 1e-27;
 
 #[test]
@@ -65,7 +65,7 @@ fn the_series_agrees_with_the_composition_where_there_is_no_closed_solution() {
     assert!(matches!(certificate.method, Method::Composition { .. }), "{certificate:?}");
     assert!(certificate.difference > 0.0 && certificate.difference <= allowed, "{certificate:?}");
 
-    // x − ln x + y − ln y is an integral of the flow, evaluated in f64.
+    // The sum of x − ln x over both variables is an integral of the flow.
     let energy = |x: Vec<Dd>| x.into_iter().map(f64::from).map(|x| x - x.ln()).sum::<f64>();
     let begin = energy(reference.flow().at(Dd::from(0.0)));
     for k in 1..=30 {

@@ -9,8 +9,8 @@ use kahan_runtime::MapAt;
 use kahan_study::{Direction, Plane, Section, Study, Subject, Systems, Unwatched};
 
 const STEPS: u64 = 80;
-/// The largest permitted value of the section's formula at a crossing, divided by the larger of its
-/// values at both ends of the step.
+/// At a crossing, the absolute value of the section's formula is at most this fraction of its
+/// larger absolute value at the two ends of the step.
 const SMALL: f64 = 1.0 / (1 << 17) as f64;
 /// The number of samples of a step.
 const SAMPLES: usize = 128;
@@ -92,8 +92,8 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
     };
     let (mut low, mut high) = (0.0, 1.0);
     for level in 0..4 {
-        // With each refinement, the differences between neighbouring samples of a smooth function
-        // fall by a factor of 128. A factor of 64 is enough for this test.
+        // Each refinement divides the differences between neighbouring samples of a smooth function
+        // by about 128. This test only requires a factor of 64.
         let most = size / 8.0 / 64_f64.powi(level);
         let part = |k: usize| low + (high - low) * k as f64 / SAMPLES as f64;
         let points = (0..=SAMPLES).map(|k| match part(k) {

@@ -9,7 +9,7 @@ use kahan_runtime::{Field, IntegralDrift, MapAt, WhileFinite};
 const STEPS: u64 = 1000;
 const CHUNK: usize = 256;
 
-/// Sums the largest drifts of the field's first integral along the orbits that start at `x`.
+/// Computes for each start `x` the largest drift of an integral, and returns the sum.
 fn drifts(at: &MapAt<f64>, mut x: Vec<f64>) -> f64 {
     let (mut y, mut z) = (vec![0.3; x.len()], vec![0.7; x.len()]);
     let observers = |_| WhileFinite::new(IntegralDrift::of(at));

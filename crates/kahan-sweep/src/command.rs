@@ -207,8 +207,8 @@ impl Cli {
         }
         match detect(&|name| std::env::var(name))? {
             Some(RecognisedLauncher { shard, sentence, beside }) => {
-                // Launchers interleave the output of their tasks, so the sentence is written in one
-                // piece.
+                // One call writes sentence and newline, because launchers interleave the output of
+                // their tasks.
                 eprint!("{}", sentence + "\n");
                 Ok((shard, beside))
             }

@@ -26,8 +26,8 @@ impl<'a> Estimate<'a> {
         let points = plan.points();
         let begun = Instant::now();
         let (mut measured, mut bytes, mut seconds) = (0u64, 0u64, 0.0);
-        // Points may differ in cost, so the sample consists of groups of points spread over all
-        // points. A group fills SIMD lanes. The stride is odd, and therefore not 0.
+        // Costs differ, so the sample consists of groups of neighbours, spread over all points. The
+        // stride is never 0, even for fewer than 997 points.
         let stride = (points / 997) | 1;
         let (mut place, mut together) = (0u64, 1);
         while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < TIMING_DURATION) {

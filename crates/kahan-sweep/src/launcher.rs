@@ -8,7 +8,7 @@ use crate::run::Shard;
 pub(crate) struct RecognisedLauncher {
     pub(crate) shard: Shard,
     pub(crate) sentence: String,
-    /// The count of the sweep's processes on this machine; 1 if unknown.
+    /// The number of processes of this sweep on this machine; 1 if unknown.
     pub(crate) beside: usize,
 }
 
@@ -36,7 +36,7 @@ const RANK_LAUNCHERS: [(&str, &str, &str); 3] = [
     ("MPI", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_SIZE"),
 ];
 
-/// The place of this process in one of several nested launchers: task `index` out of `of` tasks.
+/// Launchers can be nested. In this launcher, the process is task `index` of `of` tasks.
 #[derive(Clone, Debug)]
 struct LaunchLevel {
     launcher: &'static str,
@@ -82,7 +82,7 @@ fn task(
     (launcher, [task, first, last, step]): &(&'static str, [&'static str; 4]),
     number: &dyn Fn(&str) -> Option<u64>,
 ) -> Option<Result<LaunchLevel, String>> {
-    // Outside of task arrays, Grid Engine sets the variable to `undefined`, and LSF sets it to 0.
+    // Outside of task arrays, Grid Engine sets its task variable to `undefined`, and LSF to 0.
     let id = number(task).filter(|id| *launcher != "LSF" || *id > 0)?;
     // Kubernetes counts tasks from 0; PBS and LSF count them from 1.
     let usual = if *launcher == "Kubernetes" { 0 } else { 1 };
@@ -148,7 +148,7 @@ mod tests {
         assert_eq!(found(&[("PBS_ARRAY_INDEX", "2"), ("KAHAN_SHARDS", "6")]), Some(Ok((1, 6))));
         let srun = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "1"), ("SLURM_NTASKS", "3")];
         assert_eq!(found(&srun), Some(Ok((1, 3))));
-        // A batch script has all these variables but SLURM_STEP_ID, and is a single process.
+        // A Slurm batch script is a single process. It has the last two of these variables.
         assert_eq!(found(&srun[1..]), None);
         assert_eq!(found(&[("KAHAN_SHARD_INDEX", "5"), ("KAHAN_SHARDS", "6"), slurm[0]]), Some(Ok((5, 6))));
         let grid_engine = [("SGE_TASK_ID", "undefined"), ("SGE_TASK_FIRST", "undefined")];

@@ -39,7 +39,7 @@ pub(crate) enum RunEnd {
 /// The interval between journal entries, and the longest time for which a thread keeps its rows.
 const JOURNAL_INTERVAL: Duration = Duration::from_secs(8);
 
-/// The message of `expect` on locks, which are never poisoned.
+/// The message of `expect` on locks. No lock is ever poisoned, because a panic ends the process.
 const LOCK_MESSAGE: &str = "a thread that panics ends the process";
 
 pub(crate) struct Run<'a> {
@@ -140,7 +140,7 @@ struct ThreadTurn<'a> {
 }
 
 impl Watch for ThreadTurn<'_> {
-    /// Stops at once on request. After the time limit, stops at the end of a block of rows.
+    /// Ends the work at once on request, and after the time limit at the end of a block of rows.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         let are_made = self.done.swap(progress.done, Ordering::Relaxed) < progress.done;
         let is_over = are_made && self.begun.elapsed() > JOURNAL_INTERVAL;
@@ -164,8 +164,8 @@ struct PartWork {
 }
 
 impl PartWork {
-    /// Adds rows, and writes the journal when it is due. If several writes in a row fail, returns
-    /// only the first error.
+    /// Adds rows, and writes the journal when it is due. Returns the error of the write, unless the
+    /// previous write also failed.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;

@@ -35,7 +35,7 @@ fn quoted(path: &Path) -> String {
     if !text.is_empty() && text.chars().all(is_plain) {
         text.into_owned()
     } else {
-        // A newline in the path ends the comment that contains the path, so newlines are escaped.
+        // The Slurm script also has the path in a comment. Newlines would end the comment.
         format!("'{}'", text.replace('\'', r"'\''").replace('\n', r"'$'\n''"))
     }
 }

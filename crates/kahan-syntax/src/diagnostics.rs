@@ -14,9 +14,9 @@ use crate::token::Span;
 pub enum Kind {
     /// Text or tokens that do not follow the grammar.
     Syntax,
-    /// A number that is not an exact decimal.
+    /// A number that is not an exact decimal, such as `0x1F` or `1f32`.
     Number,
-    /// An exponent that is not allowed at its place.
+    /// An exponent that is no integer literal, or one of the two exponents in `a^b^c`.
     Exponent,
     /// A header that is neither `struct Name;` nor `struct Name { a, b }`.
     Header,

@@ -109,7 +109,7 @@ struct Reader<'a> {
     /// The formulas of auxiliary quantities, by name.
     quantities: HashMap<String, Vec<PlacedToken>>,
     functions: HashMap<String, Function>,
-    /// The arguments of the innermost call that is expanded, by name.
+    /// The tokens given for each argument name of the function that is being expanded.
     arguments: HashMap<String, Vec<PlacedToken>>,
     /// The functions whose calls are being expanded, the outermost call first.
     calls: Vec<String>,

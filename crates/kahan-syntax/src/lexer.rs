@@ -16,7 +16,7 @@ pub struct Lexed {
     pub tokens: Vec<Token>,
     /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
-    /// Whether the text has comments or line continuations of other languages, such as `# …`.
+    /// Whether the text has comments or line continuations that Rust does not have, such as `# …`.
     pub is_of_others: bool,
 }
 
@@ -144,7 +144,7 @@ impl Lexer<'_> {
             && !before.is_some_and(|c| c == '.' || c.is_ascii_digit() || continues_identifier(c))
     }
 
-    /// Returns the ASCII text for an operator such as `−` or `²`, and the number of bytes read.
+    /// Returns the ASCII text for a sign such as `−` or `²`, and the number of bytes read.
     fn signs(&self, c: char) -> Option<(&'static str, usize)> {
         let signs = match c {
             '*' if self.peek(1) == Some('*') => return Some(("^", 2)),

@@ -1,4 +1,4 @@
-//! Double-double arithmetic of interpreted programs, whose results equal those of compiled steps.
+//! Double-double arithmetic for interpreted steps, which give the same numbers as compiled steps.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;

@@ -11,7 +11,7 @@ use super::number;
 
 /// Values made of exact numbers that are read from and written as JSON.
 pub trait ExactJson: Sized {
-    /// Returns the text p/q or p, `null` for `None`, or a list.
+    /// Writes a number as the text `p/q` or `p`, `None` as `null`, and a list as a list.
     fn to_json(&self) -> Value;
 
     /// Reads numbers in the grammar of [`Rational::parse`]. The error quotes the value that is not

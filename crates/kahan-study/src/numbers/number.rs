@@ -1,4 +1,4 @@
-//! Numbers in answers, each in the scalar of its computation.
+//! Numbers in answers, each in the scalar type in which it was computed.
 
 use std::fmt;
 
@@ -65,7 +65,7 @@ impl fmt::Display for Number {
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        // JSON gets the shortest decimal of an `f32`, and all digits of a `Dd`.
+        // In JSON, an `f32` is written as its shortest decimal, and a `Dd` with all its digits.
         let written = |text: String| text.parse::<serde_json::Number>().ok();
         match self {
             Self::Exact(value) => serializer.collect_str(value),

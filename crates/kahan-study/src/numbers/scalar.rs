@@ -48,7 +48,7 @@ impl ScalarKind {
     }
 }
 
-/// An arithmetic over one of the scalars.
+/// An arithmetic whose values can be given in answers as a [`Number`].
 pub trait Printable: Arithmetic<Constant = Rational> {
     /// The scalar type.
     const KIND: ScalarKind;

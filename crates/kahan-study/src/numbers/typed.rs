@@ -19,7 +19,7 @@ pub fn number(text: &str) -> Result<Rational, String> {
     })
 }
 
-/// Returns whether an unreadable text is a number with a decimal exponent, which is then too large.
+/// Returns whether the only mistake in `text` is a decimal exponent that is too large.
 fn has_large_exponent(text: &str) -> bool {
     let parts = text.split(['e', 'E']).collect::<Vec<_>>();
     let [mantissa, exponent] = parts[..] else { return false };

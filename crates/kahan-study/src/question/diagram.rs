@@ -41,7 +41,7 @@ pub struct Diagram {
     /// The number of steps before the first shown point.
     #[serde(default = "usual_transient")]
     pub transient: u64,
-    /// The number of steps after the transient. A section needs this number or `crossings`.
+    /// The number of steps after the transient; optional if `plane` and `crossings` are given.
     #[serde(default)]
     pub steps: Option<u64>,
     /// The formula that vanishes on the section; without a formula, all steps are shown.
@@ -59,7 +59,7 @@ pub struct Diagram {
     /// Whether each orbit starts at the last point of the orbit for the previous value on the axis.
     #[serde(default)]
     pub carry: bool,
-    /// Whether steps are projected symmetrically onto the definitions of a lift's new variables.
+    /// Whether each step is projected, so that a lift's relations such as sin_x = sin(x) hold.
     #[serde(default)]
     pub reembed: bool,
 }
@@ -112,7 +112,7 @@ impl Diagram {
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, missing values, an unknown axis or variable, or a
-    /// text `plane` that is not a formula.
+    /// mistake in the formula `plane`.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<DiagramFound, StudyError> {
         study.proved()?;
         study.can_reembed(self.reembed)?;
@@ -131,7 +131,7 @@ impl Diagram {
         }
     }
 
-    /// Returns the question about the section whose crossings the diagram shows.
+    /// Returns the question [`Section`] about the orbits of this diagram, with the formula `plane`.
     #[must_use]
     pub fn section(&self, plane: &str) -> Section {
         let Diagram { eps, at, over, transient, steps, direction, crossings, order, carry, reembed, .. } =

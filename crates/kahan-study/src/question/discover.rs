@@ -31,8 +31,8 @@ pub struct Discover {
     /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact")]
     pub eps: Option<Rational>,
-    /// The largest degree of the polynomials among which the search seeks those that are 0 along
-    /// orbits; if `None`, the search chooses it.
+    /// The largest degree of the sought polynomials that vanish on orbits. If `None`, the search
+    /// chooses the degree.
     pub degree: Option<u32>,
     /// The time limit in seconds.
     pub seconds: f64,
@@ -49,7 +49,7 @@ impl Default for Discover {
 pub struct Discovered {
     /// The name of the system.
     pub system: String,
-    /// The field with the claims in its own text, without the findings.
+    /// The field as it was before the search: with its claims, without the findings.
     pub field: System,
     /// The fixed parameters; the others are generic.
     pub fixed: Names<Rational>,
@@ -62,11 +62,11 @@ pub struct Discovered {
 }
 
 impl Discover {
-    /// Searches for integrals, densities, brackets and drifts of the map, and for Hamiltonians of
-    /// the field. Parameters without values are generic. Reports each proved result to `watch`.
+    /// Searches for integrals, densities, brackets and drifts of the map, and also for Hamiltonians
+    /// of the field. Parameters without values are generic. Reports each proved result to `watch`.
     ///
     /// # Errors
-    /// [`StudyError::Discover`], or [`StudyError::Degree`] if the degree is not feasible.
+    /// [`StudyError::Discover`], or [`StudyError::Degree`] if the degree is too large.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Discovered, StudyError> {
         let begun = watch.now();
         let options = options(study, &self.eps, self.degree, self.seconds)?;
@@ -164,7 +164,7 @@ impl Discovered {
     /// Iterates over the claims of the [readable field](Self::readable).
     fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let replaced = self.report.replaced();
-        // The first claims are the integrals, so an integral has the same index among the claims.
+        // `replaced` holds indices of integrals, which are the first claims.
         let kept = self.claims().enumerate().filter(move |(index, _)| !replaced.contains(index));
         kept.map(|(_, claim)| claim).filter(|(text, _)| text.len() <= MOST_READABLE)
     }

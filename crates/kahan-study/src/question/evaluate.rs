@@ -60,9 +60,9 @@ pub struct Evaluated {
     /// The determinant det A(x,ε).
     #[serde(rename = "det_A")]
     pub det_matrix: Number,
-    /// The image x̃ under Kahan's map in lowest terms.
+    /// The image x̃ of the point under Kahan's map, whose formula is in lowest terms.
     pub x_next: Option<Vec<Number>>,
-    /// The Jacobian ∂x̃/∂x of the map in lowest terms, row by row.
+    /// The Jacobian ∂x̃/∂x at the point, row by row.
     pub jacobian: Option<Vec<Vec<Number>>>,
     /// The determinant of the Jacobian of the map.
     pub det_jacobian: Option<Number>,
@@ -74,8 +74,8 @@ pub struct Evaluated {
     /// The brackets of the claims that apply; the matrix of each bracket is given row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
-    /// The claimed drifts that apply. Each claims a formula for F(x̃), where F is a function of x.
-    /// The two values are F(x), and F(x̃) by the formula.
+    /// The claimed drifts that apply. A drift gives F(x̃) as a formula G(x), for a function F. The
+    /// two values are F(x) and G(x).
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
     /// The reason why the point has no image.

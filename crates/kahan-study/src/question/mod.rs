@@ -1,4 +1,4 @@
-//! Questions and their answers, as values.
+//! Questions, which are read from JSON, and their answers.
 //!
 //! A question in JSON has a name `ask` and further fields, such as
 //! `{"ask": "evaluate", "eps": "1/2", "at": [1, 2, 3]}`. Each question has a file with its fields,
@@ -43,7 +43,7 @@ macro_rules! questions {
         #[derive(Clone, Debug, PartialEq)]
         pub enum Question {
             $($(#[cfg(feature = $feature)])? $(#[$about])* $question($question),)*
-            /// Another question at every value of some axes.
+            /// A question asked at each combination of the values of some axes.
             Over(Over),
         }
 
@@ -59,8 +59,7 @@ macro_rules! questions {
         const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
         impl Question {
-            /// The values of `ask` for questions that [`Over`] can ask at each combination of axis
-            /// values.
+            /// The names of the questions that [`Over`] can ask at each combination of axis values.
             pub const OVER_AXES: &[&str] = &["observe", $($((stringify!($at_cell), $name).1,)?)*];
 
             /// Returns the name of the question, the value of `ask`.
@@ -126,7 +125,7 @@ questions! {
     Section, asked as "section", answered by SectionFound, in section;
     /// The values of a variable at late times, for each value of a parameter.
     Diagram, asked as "diagram", answered by DiagramFound, in diagram;
-    /// A cycle and, on request, its branch.
+    /// A cycle and, if requested, its continuation in a parameter.
     Periodic, asked as "periodic", answered by CycleFound, in periodic;
     /// The growth of numerators and denominators along an exact orbit.
     Heights, asked as "heights", answered by HeightsFound, in heights, also AtCell;

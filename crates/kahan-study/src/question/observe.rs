@@ -56,7 +56,7 @@ pub struct Observe {
     /// and [`Observable::Escape`] reports the first step at which a variable exceeds a million.
     #[serde(default)]
     pub escape: Option<f64>,
-    /// Whether steps are projected symmetrically onto the definitions of a lift's new variables.
+    /// Whether each step is projected, so that a lift's relations such as sin_x = sin(x) hold.
     #[serde(default)]
     pub reembed: bool,
     /// The observables to compute, by default the [usual](Observable::usual) ones.
@@ -92,7 +92,7 @@ pub struct Observed {
     pub steps: u64,
     /// The reason why the orbit ended.
     pub end: End,
-    /// A sentence if a wrong sign or a failed projection of a lift's variables ended the orbit.
+    /// A sentence that says why a step of a lifted field failed; `None` if no step failed.
     pub why: Option<String>,
     /// The observations, in the order of the observables.
     pub seen: Vec<(Observable, ObservedValue)>,
@@ -159,7 +159,7 @@ impl Observe {
         self.steps.saturating_mul(runs.unwrap_or(1)).saturating_add(self.transient)
     }
 
-    /// Returns an error if drifts of integrals are requested by name, but the field claims none.
+    /// Returns an error if drifts of integrals are requested explicitly, but none are claimed.
     pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
         let is_named = self.observe.contains(&Observable::Drift) && self.observe != Observable::usual();
         if is_named && study.field().integrals().is_empty() {
@@ -205,8 +205,8 @@ impl Observe {
     }
 
     /// Observes many orbits, and returns the [numbers](Self::numbers) of the table's columns.
-    /// `maps` holds a map for each orbit, and `starts` a column for each variable. If `tell`, which
-    /// receives numbers of steps, stops the work, the results are meaningless.
+    /// `maps` holds a map for each orbit, and `starts` a column for each variable. `tell` receives
+    /// the number of steps since the last call. If it returns `Break`, the results are meaningless.
     ///
     /// # Panics
     /// If `maps` and `starts` do not fit each other.
@@ -376,7 +376,7 @@ fn with_last(of: &[Observable]) -> Vec<Observable> {
     of.iter().copied().chain([Observable::Last]).collect()
 }
 
-/// Adds `before`, the number of transient steps, to all step numbers in an observation.
+/// Adds the `before` steps of the transient to all step numbers in an observation.
 fn after_transient(found: Followed<Vec<ObservedValue>>, before: u64) -> Followed<Vec<ObservedValue>> {
     let later = |seen| match seen {
         ObservedValue::Step(step) => ObservedValue::Step(step.map(|step| step + before)),

@@ -65,7 +65,7 @@ pub struct Orbit {
     /// Whether the orbit continues through poles, by points at infinity.
     #[serde(default)]
     pub projective: bool,
-    /// Whether steps in doubles are projected onto the definitions of a lift's new variables.
+    /// Whether steps in doubles are projected, so that relations such as sin_x = sin(x) hold.
     #[serde(default)]
     pub reembed: bool,
 }
@@ -219,7 +219,7 @@ pub struct OrbitHead {
     /// The columns of the rows.
     #[serde(serialize_with = "names")]
     pub columns: Vec<Column>,
-    /// The execution of float steps: `machine code` or `interpreted`.
+    /// Whether float steps run as `machine code` or are `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
     /// Whether steps in machine code use fused multiply-adds; see [`Study::fusing`].
@@ -317,7 +317,8 @@ impl Orbit {
         self.method == Method::Kahan && self.order == usual_order() && !self.reembed
     }
 
-    /// Returns a copy of `study`. For Kahan's map, a claim whose condition holds at ε loses it.
+    /// Returns a copy of `study`. For Kahan's map, claims whose condition holds at this ε become
+    /// unconditional.
     ///
     /// # Errors
     /// The errors of [`Study::at_step`].
@@ -417,8 +418,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = OrbitRows { arithmetic, columns: &all, eps, paces };
-            // At rows of Kahan's map with finite points, ‖f′‖ is compared with 1/ε. Exact orbits
-            // are excluded, because their long steps are deliberate.
+            // If ε is too large for ‖f′‖ along the orbit, a note says so. Exact orbits get no note,
+            // because their long steps are deliberate.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective

@@ -29,30 +29,30 @@ mod flow;
 
 pub use flow::FlowFound;
 
-/// The largest number of unknowns for which Newton's method is used. A failed search then takes
-/// five seconds.
+/// The largest number of unknowns for Newton's method. With so many, a failed search takes five
+/// seconds.
 const MOST_UNKNOWNS: usize = 250;
 
 /// A request for a cycle near a point, and for its branch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
-    /// ε, half the time step. The default is the first value of `over`. For steady states without
-    /// `over`, it is a power of two at which the entries of ∂x̃/∂x − I are at most about 1.
+    /// ε, half the time step. The default is the first value of the axis `eps`. Without this axis,
+    /// a power of two is chosen for steady states.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// A point near the cycle; if empty, the initial point in the field's text.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// The period, or a multiple of it. If ε is unknown, the approximate number of steps of the
-    /// limit cycle at `eps`; if this is 1, the search chooses it.
+    /// The number of steps after which the cycle closes. If ε is unknown, the search finds ε for
+    /// this number of steps, and 1 lets the search choose the number.
     #[serde(default = "one")]
     pub period: usize,
     /// A further unknown besides the points of the cycle. If this is ε, the search finds limit
     /// cycles of the flow.
     #[serde(default)]
     pub free: Option<FreeUnknown>,
-    /// If ε is unknown, the number of steps before the search for near returns to earlier points.
+    /// The number of steps that are made before the search, if ε is unknown.
     #[serde(default)]
     pub transient: u64,
     /// The axis of the branch: a parameter, or `eps`.
@@ -132,8 +132,8 @@ impl Periodic {
         self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64())
     }
 
-    /// Searches by Newton's method; the claims of the system must hold. Each Newton step eliminates
-    /// a dense matrix, with a row for each coordinate of each point of the cycle.
+    /// Searches by Newton's method; the claims of the system must hold. A Newton step solves a
+    /// dense linear system with an equation for each coordinate of each point of the cycle.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
@@ -364,7 +364,7 @@ impl Family {
 }
 
 /// Returns the linear integrals that the field has for almost all values of the varied parameter.
-/// Each contains a variable that is small at `start` and occurs in no other integral.
+/// Each contains a variable, preferably a small one, that occurs in no other integral.
 fn integrals(
     study: &Study,
     changes: Option<usize>,

@@ -19,8 +19,8 @@ use super::{minute, seconds_since};
 const MOST_POINTS: usize = 1_000_000;
 
 /// A request to search a grid of parameter values and ε for special maps, and for relations between
-/// their values. Iterates of special maps have other degrees, or their orbits have another Hilbert
-/// function, than at almost all values.
+/// the special values. A map is special if its iterates do not have the generic degrees, or its
+/// orbits not the generic Hilbert function.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {
@@ -70,7 +70,7 @@ impl Scan {
     /// Searches every point. A parameter that has neither a value nor an axis is generic.
     ///
     /// # Errors
-    /// [`StudyError`]: a missing or unknown axis, too many points, a degree that is not feasible,
+    /// [`StudyError`]: a missing or unknown axis, too many points, a degree that is too large,
     /// or a field for which no search is possible.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<ScanFound, StudyError> {
         let begun = watch.now();

@@ -54,10 +54,10 @@ pub struct Section {
     /// The number of steps that are made first, and whose crossings are not shown.
     #[serde(default)]
     pub transient: u64,
-    /// The order of the method, and the order in ε of the errors of crossing times.
+    /// The order of the method. The errors of crossing times have the same order in ε.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// Whether steps are projected symmetrically onto the definitions of a lift's new variables.
+    /// Whether each step is projected, so that a lift's relations such as sin_x = sin(x) hold.
     #[serde(default)]
     pub reembed: bool,
     /// The first points of many orbits.
@@ -109,7 +109,7 @@ pub struct Crossed {
     pub steps: u64,
     /// The reason why the orbit ended. After all requested crossings, this is `Stopped`.
     pub end: End,
-    /// A sentence if a wrong sign or a failed projection of a lift's variables ended the orbit.
+    /// A sentence that says why a step of a lifted field failed; `None` if no step failed.
     pub why: Option<String>,
     /// The number of crossings.
     pub crossings: u64,
@@ -187,7 +187,7 @@ impl Section {
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
-    /// doubles, a text `plane` that is not a formula or is constant, a field that is undefined at
+    /// doubles, a mistake in the formula `plane`, a field that is undefined at
     /// its parameters, or axes that the question does not allow.
     pub fn find(
         &self,
@@ -278,7 +278,7 @@ impl SectionFound {
     }
 }
 
-/// Writes one orbit as lists of times and points, or several orbits as rows with their ends.
+/// Writes lists of times and points for one orbit, and a table for several orbits.
 impl Serialize for SectionFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut object = serializer.serialize_map(None)?;

@@ -85,7 +85,7 @@ pub struct FormulaSheet {
     /// The field as a function of x and ε; `None` if ε does not occur in it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
-    /// The field f(x), at ε = 0 if it depends on ε. f′ and Q are derived from this field.
+    /// The field f(x) from which f′ and Q are derived. If it depends on ε, this is f at ε = 0.
     pub field: Vec<String>,
     /// The Jacobian f′(x), row by row.
     pub field_jacobian: MatrixText,
@@ -133,10 +133,10 @@ pub struct ClaimShown {
     pub nonzero: String,
     /// The source that the catalog cites for the claim.
     pub source: Option<&'static str>,
-    /// The formulas in the notation of the sheet, each as left and right side. A drift has two: the
-    /// function, and its next value.
+    /// The claimed equations, each as left and right side. A drift has two equations: one for its
+    /// function F(x), and one for F(x̃).
     pub equations: Vec<(String, String)>,
-    /// The two variables of each equation of a bracket.
+    /// The two variables whose bracket each equation gives; empty for other claims.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub pairs: Vec<[String; 2]>,
     /// The condition in the notation of the sheet.

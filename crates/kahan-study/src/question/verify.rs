@@ -38,7 +38,7 @@ pub enum Verified {
 pub struct Mutations {
     /// The results for each claim.
     pub mutations: Vec<Mutated>,
-    /// The number of claims that hold even after every tried change of a coefficient or sign.
+    /// The number of claims that no tried change of a coefficient or sign made false.
     pub survived: usize,
     /// The duration of the check in seconds; `None` without a clock.
     #[serde(skip)]

@@ -82,8 +82,8 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // If more steps do not reduce the difference, only rounding errors are left, provided
-            // that the difference is tiny or steps are at most 1/(2‖f′‖) long, for the field f.
+            // More steps bring no gain if only rounding errors are left. To be sure of this, the
+            // difference must be tiny, or steps at most 1/(2‖f′‖) long for the field f.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {
@@ -117,8 +117,7 @@ impl Comparison {
         }
     }
 
-    /// Returns whether the difference is clearly smaller than in `before`, or the methods agree
-    /// until a clearly later time.
+    /// Returns whether the methods differ clearly less than in `before`, or agree clearly longer.
     fn gains_on(&self, before: &Self) -> bool {
         self.difference < 0.5 * before.difference || self.agreed_until > 1.02 * before.agreed_until
     }

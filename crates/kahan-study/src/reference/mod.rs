@@ -22,8 +22,8 @@ pub use certificate::{Certificate, Method};
 pub use no_reference::NoReference;
 pub use path::TrajectoryLimits;
 
-/// The largest difference between the two methods that compute a reference, as a fraction of the
-/// error allowed in orbits that are compared with it.
+/// Orbits are compared with a reference. The two methods that compute it may differ by this
+/// fraction of the error that is allowed in the orbits.
 pub const PART_OF_TOLERANCE: f64 = 1e-2;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).
@@ -51,8 +51,8 @@ pub struct Trajectory<'a> {
 }
 
 impl Reference {
-    /// Computes the trajectory of a field over double-double numbers. A start with fewer than N
-    /// coordinates is padded by zeros.
+    /// Computes the trajectory of a field in double-double arithmetic. A start with fewer than N
+    /// coordinates is padded with zeros.
     ///
     /// Each Taylor step costs about 250 evaluations of the bilinear form. The check costs the steps
     /// of a composition, or some evaluations of a closed-form solution.

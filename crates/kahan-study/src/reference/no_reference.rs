@@ -80,7 +80,7 @@ impl NoReference {
 
 impl core::error::Error for NoReference {}
 
-/// A time with this number of decimals, in scientific notation if very large or small.
+/// A time, and the number of decimals to display. Very large or small times get an exponent.
 struct DisplayedTime(f64, usize);
 
 impl core::fmt::Display for DisplayedTime {

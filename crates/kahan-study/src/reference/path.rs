@@ -13,10 +13,10 @@ const MOST_MEMORY: usize = 1 << 30;
 /// Limits on the computation of a trajectory.
 #[derive(Clone, Copy, Default)]
 pub struct TrajectoryLimits<'a> {
-    /// The trajectory exceeds [`Trajectory::end`](super::Trajectory::end) by this fraction of it,
-    /// because the last step of an orbit may lie beyond the end.
+    /// The trajectory is computed beyond [`Trajectory::end`](super::Trajectory::end) by this
+    /// fraction of `end`, because the last step of an orbit may lie there.
     pub margin: f64,
-    /// The number of leading variables that determine errors and scale; `None` for all.
+    /// Errors and scale are measured in the first coordinates, this many of them; in all if `None`.
     pub variables: Option<usize>,
     /// A function that returns whether the time is over; `None` for no limit.
     pub is_over: Option<&'a dyn Fn() -> bool>,

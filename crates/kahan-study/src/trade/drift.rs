@@ -6,11 +6,12 @@ use super::runner::Runner;
 
 /// The claimed integrals of a map, and the integrals of the flow that follow from them.
 ///
-/// The integral of the flow is the claim's coefficient of ε⁰ or, if this is constant, of ε².
+/// A claimed integral depends on ε. Its coefficient of ε⁰ is an integral of the flow. If this is
+/// constant, the coefficient of ε² is used.
 #[derive(Debug)]
 pub(super) struct Integrals {
-    /// For each claim, the first k = 0 or 1 for which the coefficient of ε²ᵏ depends on the state;
-    /// `None` if both coefficients are constant.
+    /// For each claim, k = 0 or 1: the coefficient of ε²ᵏ is used as integral of the flow. `None`
+    /// if both coefficients are constant.
     coefficients: Vec<Option<usize>>,
 }
 

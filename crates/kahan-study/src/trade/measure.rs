@@ -17,7 +17,7 @@ use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::inspected_steps;
 
-/// If trajectories are measured, integrals are evaluated at about this number of points.
+/// The approximate number of points at which integrals are evaluated along a trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
 
 pub(super) struct SettingMeasurements<'a> {
@@ -32,7 +32,7 @@ pub(super) struct SettingMeasurements<'a> {
     /// Whether the steps run as machine code.
     pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
-    /// For each scheme that ran into the time limit, the ε of its first setting not measured.
+    /// For each scheme that ran out of time, the ε of the first setting that was not measured.
     pub(super) skipped: Vec<(Scheme, f64)>,
     pub(super) watch: &'a dyn Watch,
 }
@@ -85,7 +85,7 @@ impl Trials for SettingMeasurements<'_> {
 }
 
 impl SettingMeasurements<'_> {
-    /// Records the smallest number of steps that a scheme could not try because time ran out.
+    /// Records that a scheme had no time for this number of steps. Only the first record is kept.
     fn record_skipped(&mut self, scheme: Scheme, steps: u64) {
         if self.skipped.iter().all(|(skipped, _)| *skipped != scheme) {
             self.skipped.push((scheme, self.scene.setting(scheme, steps).eps()));

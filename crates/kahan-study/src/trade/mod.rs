@@ -42,7 +42,7 @@ use search::{MEASURED, RefinementSearch};
 
 pub use object::need_name;
 
-/// A request for the best integrator setting for one simulation, and for the price of this setting.
+/// A request for the cheapest integrator setting for one simulation. The price is computing time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trade {
@@ -107,7 +107,7 @@ pub struct Traded {
     /// The first point.
     #[serde(rename = "x", with = "exact")]
     pub start: Vec<Rational>,
-    /// The horizon, the purpose of the orbit and the tolerance.
+    /// The simulated time, the purpose of the orbit and the tolerance.
     #[serde(flatten, serialize_with = "object::scene")]
     pub scene: Scene,
     /// The size of the trajectory; its errors are relative to this size.
@@ -267,11 +267,10 @@ impl<'a> RefinementSearch<'a> {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
             Need::Trajectory => {
-                // The trajectory gets a `margin`, since orbits with a rounded ε overshoot the
-                // horizon.
                 let is_over = || clock() > deadline;
                 // Errors are measured in the variables of the original equations.
                 let variables = Some(study.coordinates().len());
+                // Orbits with a rounded ε may end after the horizon, so there is a `margin`.
                 let limits = TrajectoryLimits { margin: 1.0 / 256.0, variables, is_over: Some(&is_over) };
                 let asked = Trajectory {
                     command: study.catalog_name().unwrap_or_default(),
@@ -283,8 +282,8 @@ impl<'a> RefinementSearch<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // The smallest number of steps to try is `coarsest`. With it, ε‖ẍ‖/‖ẋ‖ is 4 on average
-        // along the reference. Without a reference, ε‖f′‖ is 1 at the start.
+        // `coarsest` is the smallest number of steps to try. With fewer steps, ε would be too large
+        // for the curvature of the reference or, without one, for ‖f′‖ at the start.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {
@@ -301,7 +300,7 @@ impl<'a> RefinementSearch<'a> {
             let stand_in = Runner::stand_in(clock)?;
             Prices::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.wide.cost(), runner.wide.cost())
         };
-        // The tolerance for orbits is reduced by the error of the reference.
+        // Orbits are compared with the reference, so its own error reduces the tolerance.
         let certified = reference.as_ref().map_or(0.0, |reference| reference.certificate().difference);
         let tolerance = scene.tolerance() - certified;
         let measuring = SettingMeasurements {

@@ -32,8 +32,8 @@ impl Prices {
                 *least = least.min(time);
             }
         }
-        // A compiler may vectorise steps in single precision, which can double their time.
-        // So their times are never taken below those in double precision.
+        // The user's compiler may vectorise steps in single precision, which has doubled their
+        // time. Their prices are therefore at least those in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {
@@ -47,7 +47,7 @@ impl Prices {
     /// Estimates the times of a step of cost `asked` from the times of a step of cost `measured`.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
-            // Double-double has hundreds of independent operations, so their number sets the time.
+            // Double-double steps consist of many independent operations. Only their number counts.
             Precision::DoubleDouble => f64::from(asked.operations) / f64::from(measured.operations),
             _ => asked.cycles() / measured.cycles(),
         };

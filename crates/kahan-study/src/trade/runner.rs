@@ -60,8 +60,8 @@ impl<'a> Runner<'a> {
         self.follow(scheme, eps, None, &mut once(steps), &mut |_, _| ControlFlow::Continue(()))
     }
 
-    /// Follows an orbit from `from`, or from `self.start`. Calls `visit` with the first point and
-    /// the points at `stops`, until `visit` breaks. Returns the time in seconds.
+    /// Follows an orbit from the point `from`, by default `self.start`. Calls `visit` with the
+    /// first point and the points at `stops`, until `visit` breaks. Returns the time in seconds.
     pub(super) fn follow(
         &self,
         scheme: Scheme,

@@ -49,8 +49,8 @@ impl RefinementSearch<'_> {
         if self.search.best().is_none() {
             self.refine_steps(plain(Precision::DoubleDouble, highest), coarsest);
         }
-        // `wide` lists the orders at which rounding errors matter in `f64`, so that double-double
-        // may be cheaper.
+        // `wide` lists the orders to try in double-double: those at which `f64` rounding errors
+        // matter.
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {
@@ -75,8 +75,8 @@ impl RefinementSearch<'_> {
         }
     }
 
-    /// Tries more and more steps of a scheme. If rounding errors matter, does so again with
-    /// compensated summation. Returns whether they matter without compensated summation.
+    /// Tries more and more steps of a scheme, and returns whether rounding errors matter. If they
+    /// do, also tries the scheme with compensated summation.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let has_felt = self.refine_steps(scheme, coarsest);
         if has_felt && self.tolerance >= scheme.precision.unit() / 8.0 {

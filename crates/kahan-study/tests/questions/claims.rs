@@ -89,7 +89,7 @@ fn claims_of_a_field_hold_or_not() {
     assert_eq!(of_field["claims"][0]["detail"], "by normal forms over Q, and modulo primes");
     let put_in = verdicts(Subject::text(field).with("a", one()));
     assert_eq!(put_in["claims"].as_array().map(Vec::len), Some(2));
-    // The paper's claims are checked only for catalog systems without given parameter values.
+    // With a given parameter, the field's own claims are checked instead of the paper's.
     assert_eq!(verdicts(Subject::named("e9").with("xi", one()))["claims"][1]["id"], "e9.H3");
     let of_paper = verdicts(Subject::named("lagrange"));
     assert_eq!([&of_paper["failed"], &of_paper["claims"][0]["system"]], [&json!(0), &json!("lagrange")]);

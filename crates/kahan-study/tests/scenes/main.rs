@@ -31,7 +31,7 @@ struct Judged {
     outcome: Outcome,
 }
 
-/// The largest number of steps of a setting, a third of the steps that `Scene::choose` may make.
+/// The largest number of steps of a setting. `Scene::choose` may make three times as many.
 const BUDGET: f64 = 1e6 / 3.0;
 
 fn judge<M, const N: usize>(map: &M, rng: &mut SplitMix64) -> Judged
@@ -61,7 +61,7 @@ where
     Judged { scene: name, outcome }
 }
 
-/// Returns the largest distance from `truth` at the steps, and at the end of `truth`.
+/// Returns the largest distance between the orbit of `setting` and `truth`.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: ExtendScalars<f64, N>,

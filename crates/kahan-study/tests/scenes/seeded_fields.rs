@@ -30,7 +30,7 @@ pub(crate) trait Cases<const N: usize> {
     fn start(rng: &mut SplitMix64) -> [f64; N];
 }
 
-/// Declares a field by the text of a `kahan!` block, with the range of horizons and random starts.
+/// Declares a field by a `kahan!` block, its range of simulated times, and its random start.
 macro_rules! case {
     ($(#[$doc:meta])* $name:ident[$n:literal], $low:literal..$high:literal, |$rng:ident| $start:expr, { $($block:tt)* }) => {
         kahan! {
@@ -50,7 +50,7 @@ macro_rules! case {
     };
 }
 
-/// Draws a point of a box, or a point near an equilibrium.
+/// Draws a point in the box of the first list, or the point of the second list near an equilibrium.
 macro_rules! start {
     ($rng:ident, [$($low:literal..$high:literal),*], [$($near:expr),*]) => {
         if $rng.next_u64().is_multiple_of(3) { [$($near),*] } else { [$(between($rng, $low, $high)),*] }
@@ -111,7 +111,7 @@ case!(
     { sdot = -5/2*s*i; idot = 5/2*s*i - i; rdot = i; }
 );
 case!(
-    /// Riccati's equation for x, which drives y; orbits may escape to infinity.
+    /// Riccati's equation for x; orbits may escape to infinity.
     Escape[2], 0.1..4.0, |rng| start!(rng, [-2.0..1.0, -1.0..1.0], [off(rng), off(rng)]),
     { xdot = 1 + x^2; ydot = x*y - y^2; }
 );

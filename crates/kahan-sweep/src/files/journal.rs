@@ -121,7 +121,7 @@ impl<'a> Bytes<'a> {
         String::from_utf8(self.take(length)?.to_vec()).ok()
     }
 
-    /// Reads the next record: `None` if incomplete, `Some(None)` if undecodable or of another kind.
+    /// Reads the next record; `None` if it is damaged, `Some(None)` for other columns or kinds.
     fn record(&mut self, kind: [u8; 8], empty: &Table) -> Option<Option<(u64, Table)>> {
         let record = self.0;
         let is_of_kind = self.take(8)? == kind;

@@ -33,7 +33,7 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
     let mut reasons = Vec::new();
     for part in parts() {
         match part.open_checked() {
-            // After the first unusable part nothing is written; only reasons are collected.
+            // Once a part is unusable, no more is written. The other parts are only checked.
             Ok(_) if !reasons.is_empty() => {}
             Ok(reader) => copy(&part, &reader, &mut to).map_err(failed)?,
             Err(why) => reasons.push(why.to_string()),
@@ -53,8 +53,8 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
         Err(error) if error.error.kind() == io::ErrorKind::NotFound && results.exists() => {}
         Err(error) => return Err(failed(error.error)),
     }
-    // Removes the temporary files of killed processes, and of processes that are still merging.
-    // The latter then accept the existing results.
+    // Removes all temporary files. Other processes that still merge the parts then accept the
+    // results of this process.
     files(folder, TEMPORARY_PREFIX, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }

@@ -27,7 +27,7 @@ mod keys {
     pub(super) const FLOATS: &str = "kahan.floats";
     pub(super) const COLUMNS: &str = "kahan.columns";
     pub(super) const SEED: &str = "kahan.seed";
-    /// The metadata key of the index of a part. Merged files have neither `PART` nor `CHECKSUM`.
+    /// The metadata key of a part's index. A merged file has no index and no checksum.
     pub(super) const PART: &str = "kahan.part";
     pub(super) const CHECKSUM: &str = "kahan.crc32";
 }
@@ -75,7 +75,7 @@ impl<'a> Part<'a> {
 
     pub(crate) fn write(&self, rows: &Table) -> io::Result<()> {
         match self.written(rows).map_err(into_io_error) {
-            // Another process has written the part, and removed its unfinished files.
+            // Another process has written the part, and removed the temporary file of this process.
             Err(error) if error.kind() == io::ErrorKind::NotFound && self.exists() => Ok(()),
             result => result,
         }
@@ -216,7 +216,7 @@ fn put<W: Write + Send>(
     writer.close()
 }
 
-/// The digits that stand in the file while its checksum is computed.
+/// The digits with which a file's checksum is computed. The checksum then replaces them.
 const NO_DIGITS: &str = "00000000";
 
 /// The CRC-32 of a whole file, computed with zeros in place of the checksum's digits.

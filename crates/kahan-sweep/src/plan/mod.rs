@@ -18,7 +18,7 @@ use sha2::{Digest, Sha256};
 #[derive(Clone, Debug)]
 pub struct Plan {
     study: Study,
-    /// The question for all points. Random values vary fastest, then the axes from last to first.
+    /// The question, asked at every point of the plan.
     question: Question,
     points: u64,
     /// The number of rows of a part; the last part may have fewer.
@@ -91,7 +91,7 @@ impl Plan {
     fn to_json(&self) -> Value {
         let mut question = json!(self.question);
         let starts: Vec<String> = self.over().starts.iter().flatten().map(ToString::to_string).collect();
-        // Every part repeats this text, so it holds only a hash of the initial states.
+        // Every part contains this JSON, so a hash replaces the initial states.
         let count = self.over().starts.len();
         question["starts"] = match count {
             0 => json!([]),

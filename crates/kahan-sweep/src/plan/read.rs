@@ -79,7 +79,7 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let has_draws = root.contains_key("draws");
     let file = root.remove("starts");
     let question = question(root, mistakes);
-    // A table with an old name is reported already, so it is not reported as missing.
+    // A table with an old name was reported above, so no table is reported as missing.
     if RENAMED_TABLES.iter().any(|(before, _)| root.contains_key(*before)) {
         mistakes.retain(|mistake| !mistake.path.is_empty());
     }

@@ -115,7 +115,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
         text(&read.output().expect("the command runs").stdout),
         "index,x,y,z,eps\n0,1.0,2.0,0.5,0.125\n1,1.0,2.0,0.5,0.25\n2,0.5,0.001,-0.75,0.125\n3,0.5,0.001,-0.75,0.25\n"
     );
-    // Files with other numbers belong to another plan. The double 0.001 is not exactly 1e-3.
+    // Other initial states belong to another plan. The double 0.001 is not the decimal 1e-3.
     let foreign = |output: Output| {
         let said = text(&output.stderr);
         assert!(output.status.code() == Some(1) && said.contains("belongs to another plan"), "{said}");

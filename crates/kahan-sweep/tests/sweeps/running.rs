@@ -123,7 +123,7 @@ fn what_does_not_belong_together_is_refused() {
     let [first, second] = &parts(&folder.path().join("r"))[..2] else { panic!("two parts") };
     let whole = fs::read(first).expect("a part");
 
-    // Flips a bit at many positions, most of them in the footer, and truncates the file.
+    // Flips one bit of the first part, at various positions, most of them in the footer.
     let footer = (1..60).map(|place| whole.len() - 61 * place);
     for place in [10, whole.len() / 2, whole.len() - 20].into_iter().chain(footer) {
         let mut damaged = whole.clone();

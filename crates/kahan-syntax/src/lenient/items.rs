@@ -23,7 +23,7 @@ impl Reader<'_> {
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
             if let Some(end) = self.line_of_directive(at) {
-                // Options of XPP (lines with `@`) are skipped; other directives are refused later.
+                // A directive has no left side. Options of XPP (lines with `@`) are skipped.
                 let left = None;
                 items.extend((self.at(at) != "@").then_some(TextItem {
                     tokens: at..end,
@@ -47,7 +47,7 @@ impl Reader<'_> {
         let word = self.at(start);
         let is_claim = left.is_none() && (ClaimKind::of_keyword(word).is_some() || word == "hamiltonian");
         let is_next = |at: usize| {
-            // In the conditions after `when`, `a = 1, b = 2` are relations rather than values.
+            // In a claim, `a = 1` is a condition after `when`, and begins no new item.
             let is_left =
                 |left: LeftSide| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
             at == self.given.len()

@@ -6,7 +6,7 @@ use crate::token::TokenKind;
 
 use super::Reader;
 
-/// Notations of a derivative, separated by `|`, with the order of the derivative.
+/// Orders of derivatives, each with its notations, separated by `|`.
 ///
 /// `X` stands for the name of a state, with or without `(t)`. `′` stands for any number of primes,
 /// and `Ẋ` for a name with dots above it.
@@ -34,7 +34,7 @@ pub(super) struct LeftSide {
     pub(super) of: Derivative,
     /// The names of arguments if the item defines a function; otherwise empty.
     pub(super) arguments: Vec<String>,
-    /// Whether the item gives an initial value, as in `x(0) =`.
+    /// Whether the item gives the value at time 0, as in `x(0) =`.
     pub(super) is_first: bool,
     /// Whether the equation is written `Eq(…, …)`.
     pub(super) is_in_call: bool,

@@ -14,7 +14,7 @@ use super::{PlacedToken, Reader, mistake, placed_token};
 pub(super) const MOST_TOKENS: usize = 200_000;
 
 impl Reader<'_> {
-    /// Writes an equation. An equation of order n becomes a chain of n first-order equations.
+    /// Writes an equation. An equation of order n becomes n first-order equations.
     pub(super) fn equation(&mut self, tokens: &Range<usize>, left: &LeftSide) -> Vec<PlacedToken> {
         let mut right = self.written(left.right..tokens.end, true);
         self.explain_products(&mut right);
@@ -117,7 +117,7 @@ impl Reader<'_> {
         Some(name)
     }
 
-    /// Finds products without `*`, and proposes the whole right-hand side with `*`.
+    /// Marks products without `*` as mistakes. The right-hand side with `*` is the proposal.
     fn explain_products(&self, right: &mut [PlacedToken]) {
         let texts =
             |four: &[PlacedToken]| four.iter().map(|(token, _)| token.text.to_string()).collect::<Vec<_>>();

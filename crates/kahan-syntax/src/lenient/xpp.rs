@@ -38,7 +38,7 @@ const CALLS: [(&str, &str); 5] = [
 ];
 
 impl Reader<'_> {
-    /// Returns the end of a line that starts with `@`, `%` or a refused directive.
+    /// Returns the end of the line that begins at the token `at`, if this line is a directive.
     pub(super) fn line_of_directive(&self, at: usize) -> Option<usize> {
         if at >= self.given.len() || !self.begins_line(at) {
             return None;

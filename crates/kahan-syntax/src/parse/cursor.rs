@@ -21,11 +21,11 @@ pub(super) struct Cursor<'a> {
     names: OnceCell<HashMap<&'a str, bool>>,
 }
 
-/// The tokens that end an expression, besides `;`, `,` and closing brackets.
+/// The token that ends an expression, in addition to `;`, `,` and closing brackets.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum ExpressionEnd {
     Semicolon,
-    /// The first token of the next item. The conditions of a bracket need no `;` before it.
+    /// The first word of the next item. It may follow the conditions of a bracket without a `;`.
     Item,
     /// The sign `=`, on the left side of a relation after `when`.
     Equals,

@@ -7,9 +7,9 @@
 //! | | `*`, `/` | from left to right |
 //! | loosest | `+`, `-` | from left to right |
 //!
-//! Operands are numbers, names and expressions in parentheses. A [`Dialect`] adds the sites of a
-//! family, or the function calls and general exponents of a formula. Notation of other languages is
-//! refused with a proposal. Examples are paths, indices, `**` and products without `*`.
+//! Operands are numbers, names and expressions in parentheses. A [`Dialect`] adds indexed names
+//! such as `x[i+1]` for families, or calls and arbitrary exponents for formulas. Notation of other
+//! languages, such as `**`, is refused with a proposal.
 
 use crate::diagnostics::Kind;
 use crate::rational::Rational;
@@ -24,7 +24,7 @@ use super::{Parsed, error};
 
 const DEEPEST_NESTING: usize = 256;
 
-/// The part of a language's syntax that goes beyond arithmetic.
+/// Syntax in addition to arithmetic, such as function calls in formulas.
 pub(super) trait Dialect: Sized {
     /// Reads the syntax that may follow a name at `span`. Returns `None` if the name stands alone.
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>>;

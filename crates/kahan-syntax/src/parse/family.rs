@@ -106,7 +106,6 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     outcome
 }
 
-/// Only families have sites and sums over sites.
 impl Dialect for FamilySyntax {
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>> {
         if cursor.index.is_some() && cursor.is_open(0, '[') {

@@ -81,7 +81,7 @@ fn header(cursor: &mut Cursor<'_>, lift: &mut Option<Span>, diagnostics: &mut Di
             "`struct`",
             "a header reads `pub struct Name;` or `pub struct Name { mu, nu }`",
         );
-        // Read `enum Name` like a struct, so that the type exists and causes no further mistakes.
+        // Only if a name follows, as in `enum Name`, the header is read, so that the type exists.
         if cursor.identifier(0).is_none() || cursor.identifier(1).is_none() {
             return Err(wrong);
         }

@@ -173,7 +173,7 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
     }
 }
 
-/// Returns whether the name is a statement keyword of Rust. A state may also have that name.
+/// Returns whether the name is a keyword with which a Rust statement begins.
 pub(crate) fn is_statement(name: &str) -> bool {
     matches!(name, "if" | "match" | "let" | "for" | "while")
 }
@@ -192,7 +192,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
     match &token.kind {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable(_) => Ok(operand),
-        // Comparisons such as `==` are reported by the code that reads the `=`.
+        // `equals` reads the `=` of a relation, and reports comparisons such as `==`.
         TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == ExpressionEnd::Equals => Ok(operand),
         TokenKind::Punctuation(_) if cursor.end == ExpressionEnd::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),

@@ -1,5 +1,5 @@
-//! Orbits of chains with any number of sites, in doubles. A row holds conserved quantities and all
-//! variables; for a long chain, only the range of each variable over all sites.
+//! Orbits of chains with any number of sites, in doubles. Each row holds conserved quantities. It
+//! also holds all variables or, for a long chain, the range of each variable over the sites.
 
 use std::ops::{ControlFlow, Range};
 
@@ -20,7 +20,7 @@ use super::{columns, is_none, names};
 /// A chain with its map and state.
 #[derive(Debug)]
 pub struct Chain {
-    /// The name of the family of equations, as answers give it.
+    /// The name of the family of equations.
     pub name: String,
     /// The family.
     pub lattice: Lattice,
@@ -96,8 +96,8 @@ impl Chain {
         }
     }
 
-    /// Advances the state along the schedule. At each row, calls `see` with the state, which may
-    /// end the orbit, and then passes the row to `rows`.
+    /// Advances the state along the schedule, and passes rows to `rows`. Calls `see` with the state
+    /// of each row; if `see` breaks, the orbit ends.
     pub fn rows(
         &mut self,
         paces: RowSchedule,

@@ -41,7 +41,7 @@ pub(super) fn explicit<'a, A: PointArithmetic>(
 }
 
 impl<A: PointArithmetic> ExplicitOrbit<'_, A> {
-    /// Evaluates a plan at a point, with ε = 0.
+    /// Evaluates a list of formulas, a plan, at a point with ε = 0.
     fn values(&self, plan: &Plan, x: &[A::Value]) -> Vec<Option<A::Value>> {
         let symbols = &self.derived.system.field.symbols;
         plan.evaluate(self.arithmetic, |input| match symbols.symbol(input.variable()?) {

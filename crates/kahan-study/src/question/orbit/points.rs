@@ -26,8 +26,8 @@ pub(super) enum EarlyEnd {
 
 #[derive(Clone, Copy)]
 pub(super) enum EndReason {
-    /// The matrix A of Kahan's map is singular. If `is_reduced` is false, the map in lowest terms
-    /// is not known, and may have an image.
+    /// The matrix A of Kahan's map is singular. If `is_reduced` is false, no reduced formula of the
+    /// map is known, and such a formula might give an image.
     Pole { is_reduced: bool },
     /// A stage of a composition has a pole.
     StagePole,
@@ -37,9 +37,9 @@ pub(super) enum EndReason {
     Range,
     /// A step of another method leaves the range of the scalar.
     TooLarge,
-    /// The flow escapes.
+    /// The solution of the equations becomes infinite before the next step.
     Escapes,
-    /// The lift ends the orbit.
+    /// A step of a lifted field fails.
     Lift(LiftEnds),
 }
 
@@ -248,7 +248,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: EndReason, at: &[
              point is {point}; {kept}"
         ),
     };
-    // Rounding in floats decides whether a pole is found or a number overflows; both are `Range`.
+    // In floats, a pole and an overflow cannot be told apart, so both end with `Range`.
     let end = match why {
         EndReason::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
         EndReason::NoLimit(_) => End::Pole(n),

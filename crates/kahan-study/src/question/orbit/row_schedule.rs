@@ -10,7 +10,7 @@ use kahan_runtime::{DimensionError, End, Follow, Followed};
 pub struct RowSchedule {
     /// The number of steps before the first row.
     pub transient: u64,
-    /// The number of steps after the first row. The last row is earlier if `every` is no divisor.
+    /// The number of steps after the first row; `every` need not divide it.
     pub steps: u64,
     /// The number of steps between rows.
     pub every: NonZeroU64,

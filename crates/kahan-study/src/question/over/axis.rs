@@ -10,8 +10,8 @@ use crate::numbers::ScalarKind;
 use crate::numbers::exact::{self, ExactJson};
 use crate::range::{Axis, Range};
 
-/// A name with the values of its axis: a variable, a parameter or `eps`, and for orbits also the
-/// `order` of the method or the `scalar`.
+/// An axis: its name and its values. The name is that of a variable or parameter, or `eps`. For
+/// orbits it can also be `order` or `scalar`.
 ///
 /// In JSON an axis is an entry of an object: a [`Range`] `"x": "0:1:/9"`, a list `"x": [0, "1/2"]`,
 /// one value `"x": 1`, or draws `"x": {"draw": "sobol", "low": 0, "high": 1}`.
@@ -113,7 +113,7 @@ type Draw = dyn Fn(u64) -> f64 + Sync;
 
 pub(super) enum Values<'a> {
     List(&'a [Rational]),
-    /// The scalars `f64` and `f32`, represented by 64 and 32.
+    /// The scalars `f64` and `f32`, stored as the numbers 64 and 32.
     Scalars(Vec<Rational>),
     Spaced {
         first: Rational,

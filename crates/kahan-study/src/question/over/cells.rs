@@ -36,8 +36,8 @@ pub(in crate::question) struct CellInputs<V> {
 /// change first, then the last axis, and so on to the first axis; first points change last.
 pub(in crate::question) struct Cells<'a> {
     pub(in crate::question) axes: Vec<ResolvedAxis<'a>>,
-    /// For this number of axes, the last ones, value k belongs to first point k. The other axes are
-    /// combined with all first points.
+    /// The last `with_starts` axes have a value for each first point. The other axes are combined
+    /// with all first points.
     with_starts: usize,
     starts: &'a [Vec<Rational>],
     /// Point, parameters and ε in the question, used unless an axis replaces them.

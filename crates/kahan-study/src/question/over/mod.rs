@@ -33,8 +33,8 @@ pub(super) use at_cell::{AtCell, column};
 pub use axis::{AxisOver, AxisValues, Source};
 pub(super) use cells::{CellEntry, Cells};
 
-/// A question asked at every value of some axes: [`Observe`](super::Observe), or a question about a
-/// point or a map, such as [`Heights`](super::Heights).
+/// A question asked at each combination of axis values: [`Observe`](super::Observe), or a question
+/// about a point or a map, such as [`Heights`](super::Heights).
 ///
 /// The JSON has the fields of the question and `over`, and optionally `starts`, `draws` and `seed`:
 /// `{"ask": "heights", "steps": 9, "over": {"x": "0:1:/9", "y": 1, "eps": ["1/10", "1/20"]}}`. The
@@ -80,7 +80,7 @@ pub struct OverFound {
 }
 
 impl Over {
-    /// Returns an error if drifts of integrals are requested by name, but the field claims none.
+    /// Returns an error if drifts of integrals are requested explicitly, but none are claimed.
     pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
         match &*self.question {
             Question::Observe(asked) => asked.has_integrals(study),

@@ -44,8 +44,7 @@ impl<'a> Orbits<'a> {
         }
         let (CellInputs { at, eps, .. }, _) = cells.in_doubles(0);
         study.within_range(&at, eps)?;
-        // If all cells have the same field, a mistake in it is reported once instead of at every
-        // cell.
+        // If no parameter varies, an error of the field is reported once instead of at every cell.
         let is_one_field =
             !cells.axes.iter().any(|along| matches!(along.target, VariedQuantity::Parameter(_)));
         if is_one_field {
@@ -69,7 +68,7 @@ impl<'a> Orbits<'a> {
         [LANES, (AT_ONCE / self.asked.steps_in_all().max(1)).clamp(LANES, 256)]
     }
 
-    /// Returns the rows of consecutive cells, or no rows if `tell` ends the work.
+    /// Returns the rows of consecutive cells. If `tell` ends the work, returns an empty list.
     pub(super) fn rows(
         &self,
         cells: std::ops::Range<u64>,
@@ -87,7 +86,7 @@ impl<'a> Orbits<'a> {
             }
             for (begun, found) in same.iter().zip(found) {
                 let mut row = self.cells.entries(begun.index, &begun.place, &begun.values);
-                // If the field is undefined, no point follows the start.
+                // If the field is undefined at the parameters, the orbit ends after 0 steps.
                 let end = found.as_ref().map_or(End::Range(0), |found| found.end);
                 row.push(CellEntry::Text(end.name().to_owned()));
                 row.push(CellEntry::Integer(end.steps(self.asked.transient + self.asked.steps) as i64));
@@ -161,7 +160,7 @@ impl<'a> Orbits<'a> {
         of_each.map(|map| map.and_then(|_| found.next())).collect()
     }
 
-    /// Returns the last point of each orbit, without observers.
+    /// Returns only the last point of each orbit.
     fn ends<T: MachineFloat>(
         &self,
         maps: &[&MapAt<T>],

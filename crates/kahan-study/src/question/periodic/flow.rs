@@ -1,5 +1,5 @@
-//! Finds limit cycles of the flow, as points together with ε. The search starts where an orbit
-//! nearly returns to an earlier point.
+//! Finds limit cycles of the flow by Newton's method. The unknowns are ε and the points of a cycle
+//! of the map. The search starts where an orbit nearly returns to an earlier point.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, DMatrix};
@@ -17,7 +17,7 @@ use crate::range::Axis;
 
 use super::{Family, Periodic};
 
-/// The largest number of values stored along a cycle; a Newton step then takes about a second.
+/// The largest number of values stored along a cycle. With so many, a Newton step takes a second.
 const MOST_NUMBERS: usize = 4_000_000;
 
 /// Returns the number of values that are stored for each point of a cycle in n variables.
@@ -35,7 +35,7 @@ pub struct FlowFound {
 }
 
 impl FlowFound {
-    /// Extrapolates from cycles of N, 2N, 4N, … steps; errors are series in these `powers` of ε.
+    /// Extrapolates from cycles of N, 2N, 4N, … steps. Errors are series in ε with these `powers`.
     fn of(mut points: Vec<BranchPoint>, powers: &[i32]) -> (Self, BranchPoint) {
         let limit = |of: &dyn Fn(&BranchPoint) -> f64| {
             Extrapolated::of(&points.iter().map(of).collect::<Vec<_>>(), powers)
@@ -65,8 +65,8 @@ impl FlowFound {
     }
 }
 
-/// Describes a cycle in JSON. Without `found`, the period is that of the map's cycle, without an
-/// error estimate.
+/// Describes a cycle of N points in JSON. If `found` is `None`, the period is 2εN, without an
+/// error.
 pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64) -> Value {
     let of_map = period(cycle, eps);
     json!({
@@ -193,7 +193,7 @@ impl Family {
         const MOST_POINTS: usize = 256_000;
         /// The largest number of steps from a point to its close return, by default.
         const MOST_STEPS: usize = 20_000;
-        /// The largest accepted relative deviation from the requested number of steps.
+        /// A close return may differ from the requested number of steps by this fraction.
         const NEAR: f64 = 0.1;
         /// The number of steps between two checks of the watch.
         const AT_ONCE: u64 = 100_000;
@@ -202,7 +202,7 @@ impl Family {
         let (eps, wanted) = (self.eps.to_f64(), (asked.period > 1).then_some(asked.period));
         let search = |start: &[f64], eps: f64, steps: usize| {
             let found = flow_cycle(map, start, eps, steps)?;
-            // `flow_cycle` reduces a cycle of several rounds to one, which is not accepted.
+            // `flow_cycle` returns a single round, which may have fewer steps than requested.
             let is_it = found.is_near(wanted.unwrap_or(found.cycle.points.len()), eps);
             if is_it { Ok(found) } else { Err(NoPeriodicPoint::NoReturn) }
         };
@@ -237,7 +237,7 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                // A return may be two rounds of a cycle, so the number of steps is even.
+                // A return may be two rounds of a cycle. An even number of steps can be halved.
                 let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
@@ -250,7 +250,7 @@ impl Family {
         Err(why)
     }
 
-    /// Returns the cycle at N steps, extrapolated from N, 2N, 4N, … steps, with its branch.
+    /// Returns the cycle, its period and parameter extrapolated to ε = 0, and the requested branch.
     pub(super) fn flow_found(
         &self,
         asked: &Periodic,
@@ -313,7 +313,7 @@ type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
     let is_like = |mark: BranchPointKind| move |point: &&BranchPoint| point.mark == mark;
     let extrapolate = |(index, point): (usize, &BranchPoint)| {
-        // Corresponding points of the branches have this `mark`, and equally many such before them.
+        // Corresponding points are the k-th points with this `mark` on each branch, for one k.
         let before = branches[0].points[..index].iter().filter(is_like(point.mark)).count();
         let alike =
             branches.iter().map(|one| one.points.iter().filter(is_like(point.mark)).nth(before).cloned());

@@ -41,7 +41,7 @@ struct StartedOrbit {
 }
 
 impl<'a> Orbits<'a> {
-    /// Checks the question, with the plane at the first orbit's parameters; prepares the orbits.
+    /// Checks the question, and checks its plane for the first orbit. Prepares the orbits.
     pub(super) fn of(asked: &'a Section, study: &'a Study, cells: &'a Cells<'a>) -> Result<Self, StudyError> {
         let system = study.proved()?;
         study.can_reembed(asked.reembed)?;

@@ -9,7 +9,7 @@ use crate::error::StudyError;
 use crate::formula::{Formula, formula_of};
 use crate::study::Study;
 
-/// Reads a formula at these values of the parameters and ε; error messages call it `what`.
+/// Reads a formula, and substitutes `parameters` and `eps`. Error messages call the formula `what`.
 fn formula_at(
     system: &System,
     parameters: &[Rational],
@@ -59,7 +59,7 @@ impl Plane {
         }
     }
 
-    /// Returns the largest index in the formula. Indices count the variables, then the integrals.
+    /// Returns the largest variable index in the formula. Integrals count as further variables.
     #[must_use]
     pub fn last_variable(&self) -> Option<usize> {
         self.0.last_variable()

@@ -38,7 +38,7 @@ impl CrossingBuffer {
     }
 }
 
-/// A consumer that stores each coordinate of the crossings in a column, as tables do.
+/// A receiver that stores crossings in columns, one for each coordinate.
 pub(super) struct BufferedCrossings<'a> {
     pub(super) kept: &'a mut CrossingBuffer,
     pub(super) study: &'a Study,
@@ -85,7 +85,7 @@ impl<O: Observer<f64>> Observer<f64> for ContinuedObserver<'_, O> {
 }
 
 impl SectionOrbit {
-    /// Prepares an orbit of `most` crossings, with a buffer for `room` crossings.
+    /// Prepares an orbit that ends after `most` crossings. The buffer holds `room` crossings.
     pub(super) fn new(x: Vec<f64>, shown: usize, most: u64, room: usize) -> Self {
         let kept =
             CrossingBuffer { points: vec![Vec::new(); shown], most, room, ..CrossingBuffer::default() };

@@ -59,7 +59,7 @@ impl<'a, F: Fn(&[f64]) -> f64 + Copy> SectionLane<'a, F> {
         self.end.is_none() && !self.section.is_done()
     }
 
-    /// Takes the next point, and shows it to the section if the formula changed its sign.
+    /// Takes the next point. If the formula changed its sign, the section computes the crossing.
     fn take_point(&mut self, step: u64, x: &[f64], height: f64) {
         let rises = self.direction != Direction::Falling && self.height < 0.0 && height >= 0.0;
         let falls = self.direction != Direction::Rising && self.height > 0.0 && height <= 0.0;

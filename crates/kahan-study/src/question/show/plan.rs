@@ -18,7 +18,7 @@ pub struct ShownPlans {
     pub objects: Vec<FunctionCost>,
     /// The step as a straight-line program; `None` if the step is Gaussian elimination in a loop.
     pub step: Option<Listing>,
-    /// A step for scalars of every kind, if `step` multiplies by 1/ε, which is for floats only.
+    /// A step for all scalar types, if `step` multiplies by 1/ε and therefore works only in floats.
     pub general_step: Option<Listing>,
     /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
@@ -59,7 +59,7 @@ pub struct Listing {
     pub reciprocals: Vec<Option<String>>,
     /// The formulas of x̃, one for each component.
     pub next: Vec<String>,
-    /// The largest of ‖εf′‖∞ = 1, 10, 100 and 1000 at which the step is accurate; 0 if none.
+    /// The size of ‖εf′‖∞ up to which the step is accurate: 1, 10, 100 or 1000; 0 if none of these.
     pub holds_to: u32,
 }
 
