@@ -15,7 +15,7 @@ pub(crate) struct Told {
     /// The price of one setting of each `Scheme`, in nanoseconds per unit of simulated time. The
     /// setting is the one with the smallest ε in the command's answer.
     pub(crate) prices: Vec<(Setting, f64)>,
-    /// The seconds of a fixed loop, which measure the machine's speed during the command.
+    /// The seconds of a fixed loop, which measure the machine's speed before and after the command.
     pub(crate) pace: f64,
 }
 
