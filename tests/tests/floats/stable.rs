@@ -219,7 +219,7 @@ where
     M32: ExtendScalars<f32, N>,
 {
     for tally in [sample::<f64, _, N>(name, double, trials), sample::<f32, _, N>(name, single, trials)] {
-        // At least a third of the results must be `Ok`, because `Err` passes all other checks.
+        // An `Err` satisfies every error bound, so at least a third of the results must be `Ok`.
         assert!(tally.established > trials / 3, "{name}: {} of {trials} flagged", tally.flagged);
     }
 }
