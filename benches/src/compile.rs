@@ -1,7 +1,7 @@
-//! Measures the cost of compiling a block: the macro's time, and the compiler's additional time.
+//! Measures the times that the macro and the compiler need for a block.
 //!
-//! Each block is built in a temporary library with one call of its step. The least time of several
-//! builds counts. Builds of different blocks alternate.
+//! Each block is built in a temporary library with one call of its step. Builds of different blocks
+//! alternate, and the least time of each block counts.
 
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! Methods that advance a state for a number of steps. After every [`SEGMENT`] steps, an orbit
-//! starts again at the initial state.
+//! Contenders, each of which makes a given number of steps. After every [`SEGMENT`] steps, the
+//! orbit starts again at the initial state.
 
 use std::hint::black_box;
 

@@ -1,6 +1,6 @@
-//! Compares compositions of order 8 with DOP853, each with the largest tried step or tolerance at
-//! which the error is at most [`ERROR`]. The reference is the composition in double-double, with
-//! 1024 steps between successive times at which errors are measured.
+//! Compares compositions of order 8 with DOP853. Each uses the largest tried step or tolerance at
+//! which the error is at most [`ERROR`]. Errors are measured at equidistant times. The reference is
+//! the composition in double-double with 1024 steps between two of these times.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, ExtendScalars};

@@ -1,4 +1,4 @@
-//! Times several runners in alternation, so that slowdowns affect both sides of a ratio.
+//! Times several runners in alternation, so that a slowdown of the machine affects all of them.
 
 use std::time::{Duration, Instant};
 
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn the_least_time_is_kept_for_each_runner_of_each_race() {
         let effort = Effort { rounds: 3, sample: Duration::from_micros(20) };
-        // The simulated disturbance doubles the times of the first calls, for longer than one pass.
+        // The simulated disturbance doubles the times of the first 19 calls.
         let mut calls = 0;
         let times = least_times(&[1, 2], effort, |race, i, units| {
             calls += 1;

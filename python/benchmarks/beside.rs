@@ -1,6 +1,6 @@
-//! Does the work of `run.py` in Rust. Each line of the input is `each STEPS`, `last STEPS` or
-//! `ensemble TRAJECTORIES STEPS THREADS`. The answer is the time in seconds, and the coordinate z
-//! of the last point.
+//! Does the work of `run.py` in Rust. `each STEPS` asks for all points of an orbit, `last STEPS`
+//! for the last point, `ensemble TRAJECTORIES STEPS THREADS` for the last points of many orbits.
+//! The answer is the time in seconds, and the last coordinate z.
 
 use std::error::Error;
 use std::io::stdin;
@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use kahan_runtime::{Field, Follow, MapAt, threads};
 
-/// The number of trajectories that a thread computes together. Their columns fit into its cache.
+/// A thread computes this many trajectories together, so that they fit into the processor's cache.
 const TOGETHER: usize = 1024;
 
 fn main() -> Result<(), Box<dyn Error>> {

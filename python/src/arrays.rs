@@ -1,4 +1,4 @@
-//! Converts NumPy arrays to slices, and formulates the error messages of these conversions.
+//! Reads NumPy arrays as slices, and writes the error messages for arrays that cannot be read.
 //!
 //! Arrays of `float64` in C order are used without a copy. Functions of single precision also use
 //! `float32` without a copy.
@@ -98,11 +98,11 @@ pub(crate) fn named<'py>(
     NAMED.import(given.py(), "kahan._arrays", "named")?.call1((given, of, name))
 }
 
-/// The columns of the states, and the names and columns of parameters and `eps`.
+/// The columns with the states, and the names and columns of parameters and `eps` in a table.
 pub(crate) type Places = (Vec<usize>, Vec<(String, usize)>);
 
-/// Finds the columns of a table. The first `least` states need columns. If `varies`, parameters
-/// and `eps` may have columns.
+/// Finds the columns of a table by their names. Each of the first `least` states must have a
+/// column. Parameters and `eps` may have columns if `varies` is true.
 pub(crate) fn places(
     names: &[String],
     (states, least): (&[String], usize),
@@ -116,7 +116,7 @@ pub(crate) fn places(
     Ok((found.states, found.others))
 }
 
-/// Calls [`places`] for `kahan._formula`, whose names are not the variables of a field.
+/// Finds columns for `kahan._formula`. Every name in `states` must have a column.
 #[pyfunction]
 pub(crate) fn columns(
     names: Vec<String>,

@@ -1,6 +1,6 @@
 //! Tables as Arrow streams, in a capsule that other libraries can read.
 //!
-//! Values other than floats and counts become text, because Arrow has no rational numbers.
+//! Exact rational numbers become text, because Arrow has no type for them.
 
 use std::sync::Arc;
 

@@ -1,5 +1,5 @@
-//! Runs long computations without the interpreter's lock. They report progress, and Ctrl-C stops
-//! them. Python handles signals only on its main thread, so each computation has its own thread.
+//! Runs long computations without the interpreter's lock, on threads of their own. The calling
+//! thread reports progress, and handles Ctrl-C.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -20,7 +20,7 @@ const SHORT: u64 = 1 << 16;
 /// The stack size of a working thread. Recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;
 
-/// A [`Watch`] that receives progress and findings, and may stop the work.
+/// A [`Watch`] that tells the waiting thread about progress, and may stop the computation.
 pub(crate) struct Caller {
     stop: AtomicBool,
     is_done: AtomicBool,
@@ -28,7 +28,6 @@ pub(crate) struct Caller {
     waiting: thread::Thread,
     since: Instant,
     threads: usize,
-    /// The number of steps, if this watch counts them.
     made: AtomicU64,
     news: Mutex<PendingNews>,
 }

@@ -115,7 +115,7 @@ fn refused(error: &BasisError) -> PyErr {
 
 #[pymethods]
 impl Field {
-    /// Answers the question `discover` in JSON, as `ask` does, and also returns the found bases.
+    /// Answers the question `discover` as `ask` does, and also returns the bases that were found.
     #[pyo3(name = "_discovered", signature = (asked, *, listener = None))]
     fn discovered(
         &self,

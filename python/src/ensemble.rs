@@ -48,7 +48,7 @@ impl Field {
         }
     }
 
-    /// Computes the observables that `of` names. Returns columns, rows, and how the orbits ended.
+    /// Computes observables. Returns their names, a row for each trajectory, and the orbits' ends.
     #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, transient = 0, renormalize = 10, spectrum = None, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
@@ -107,7 +107,7 @@ pub(crate) struct EnsembleOptions<'a, 'py> {
 }
 
 impl Field {
-    /// Prepares the map, ε and the parameters for points in an array of this shape.
+    /// Prepares the map, ε and the parameters of many trajectories. Their points have this shape.
     pub(crate) fn many<T: Float>(
         &self,
         py: Python<'_>,
@@ -123,7 +123,7 @@ impl Field {
             None => Ok(Vec::new()),
         });
         let mut values = values.collect::<PyResult<Vec<Vec<T>>>>()?;
-        // The map needs a value for every parameter; missing ones are taken from `values`.
+        // The map needs one value for each parameter, even for varying parameters.
         let at: MapAt<T> = self.map_with(py, &values)?.at(eps.first().copied().unwrap_or_else(T::zero));
         let at = at.composed(composition(asked.order)?);
         for (own, values) in at.map().parameters().iter().zip(&mut values) {
@@ -233,7 +233,7 @@ impl<T: Float> Trajectories<T> {
         Ok(())
     }
 
-    /// Advances the trajectories of one thread; the first of them has the number `first`.
+    /// Advances the trajectories of one thread, whose numbers begin with `first`.
     fn piece(
         &self,
         rows: &mut [T],
@@ -256,7 +256,7 @@ pub(crate) struct ThreadColumns<'a, T: Float> {
     caller: &'a Caller,
     /// The end of each trajectory, or `Complete` if it goes on; empty before the first step.
     ends: Vec<End>,
-    /// The number of steps, of which `untold` are not yet reported.
+    /// The number of steps made so far. The last `untold` of them are not yet reported as progress.
     pub(crate) made: u64,
     untold: u64,
 }
@@ -325,8 +325,8 @@ impl<'a, T: Float> ThreadColumns<'a, T> {
         (0..count).filter(|k| step.is_beyond(&point(*k))).collect()
     }
 
-    /// Returns how each trajectory ended. Without steps, only trajectories from points that are not
-    /// finite end early.
+    /// Returns how each trajectory ended. Before the first step, a trajectory has ended only if its
+    /// initial point is not finite.
     pub(crate) fn ends(mut self) -> Result<Vec<End>, DimensionError> {
         if self.made == 0 {
             self.follow(0)?;
@@ -385,7 +385,7 @@ pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator
     (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
 }
 
-/// Combines the ends before step `steps` with the later ends `more`, which count from that step.
+/// Combines `before`, the ends in the first `steps` steps, with `more`, the ends in later steps.
 fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
     if before.is_empty() {
         return more;

@@ -34,7 +34,7 @@ pub(crate) struct MapCache {
     valued: Option<(Vec<Option<f64>>, MapAt<f64>)>,
 }
 
-/// A NumPy float type in which steps are made.
+/// A type of floats in NumPy arrays: `f64` or `f32`.
 pub(crate) trait Float:
     kahan_runtime::MachineFloat + kahan_core::EmbedScalar + kahan_core::Pivot + numpy::Element
 {
@@ -88,7 +88,7 @@ impl Field {
         if let Some(at) = last.with_integrals.as_ref().filter(|at| at.eps() == eps) {
             return Ok(at.clone());
         }
-        // Claims may need an exact ε: the float's shortest decimal, or 0 for NaN and infinity.
+        // Claims may need an exact ε. Parse the decimal of `eps`; NaN and infinity become 0.
         let exact = number(&eps.to_string()).unwrap_or_else(|_| Rational::zero());
         let at = self.study.at_step(&exact).and_then(|study| Ok(study.map()?.at(eps)));
         let at = at.map_err(|error| of_study(py, &error))?;
@@ -143,7 +143,7 @@ impl Field {
         &self.study.parameters()[k]
     }
 
-    /// Returns the map. Parameter k without a given value gets the first value in `first[k]`.
+    /// Returns the map. If parameter k was given no value, the first number in `first[k]` is used.
     pub(crate) fn map_with<T: Float>(&self, py: Python<'_>, first: &[Vec<T>]) -> PyResult<Map> {
         if self.study.given().iter().all(Option::is_some) {
             return self.map(py);
@@ -153,7 +153,7 @@ impl Field {
         let values =
             self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
                 let other = first.get(k).and_then(|values| values.first());
-                // NaN and infinity are no exact numbers. They become 1 until callers set the float.
+                // NaN and infinity become 1 here, and callers replace this 1 by the float.
                 let exactly =
                     |value: &T| Rational::from_f64(value.approximate()).unwrap_or_else(Rational::one);
                 let other = other.map(exactly);
@@ -166,8 +166,8 @@ impl Field {
     }
 }
 
-/// The kind of a lift, the names and values of the initial point, the initial time, and whether
-/// arrays have the new variables.
+/// The options of a lift: the criterion, the values and the names of an initial point, the initial
+/// time, and whether arrays contain the new variables.
 type Lift = (String, Option<(Vec<String>, Vec<String>)>, String, bool);
 
 fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
@@ -226,8 +226,8 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 
 #[pymethods]
 impl Field {
-    /// Reads a field from its name, its text or its coefficients. If `of` is given, returns `of`
-    /// with other parameter values; the two fields share plans and compiled code.
+    /// Reads a field from its name, its text or its coefficients. If `of` is given, returns a copy
+    /// of `of` with other parameter values, which shares the compiled code of `of`.
     #[new]
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, fused = false, of = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
@@ -294,8 +294,8 @@ impl Field {
         Ok((indices, coefficients.iter().map(|one| one.value.to_f64()).collect()))
     }
 
-    /// The variables that arrays have. For a lifted field, arrays have the original variables, and
-    /// the new variables if requested.
+    /// The variables whose values arrays contain: the original variables, and the new variables of
+    /// a lift if they were requested.
     #[getter]
     fn variables(&self) -> Vec<&str> {
         self.study.shown().iter().map(String::as_str).collect()
@@ -375,7 +375,7 @@ impl Field {
         Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
     }
 
-    /// Warns if a lift chosen without an initial point has growing errors on the orbit of `x`.
+    /// Warns if errors of a lift's relations grow on the orbit of `x`.
     #[pyo3(name = "_relations_warning")]
     fn relations_warning(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -393,7 +393,7 @@ impl Field {
         Ok(rates.note())
     }
 
-    /// Notes for the author of the text on unusual interpretations.
+    /// Notes about unusual interpretations of the text, and a warning about the lift.
     #[getter]
     fn notes(&self) -> Vec<String> {
         let warning = self.study.lift().and_then(kahan_study::Lift::warning);

@@ -47,7 +47,7 @@ fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| kahan_cli::status(arguments))
 }
 
-/// Returns the names that each kind of argument allows.
+/// Returns the known names of directions, methods, observables, scalar types, systems and families.
 #[pyfunction]
 fn names() -> [(&'static str, Vec<&'static str>); 6] {
     let known = Systems.names().into_iter().map(|[name, _]| name);

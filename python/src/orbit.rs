@@ -160,7 +160,7 @@ impl Field {
         self.stepped_whole(x, eps, out, checked)
     }
 
-    /// Makes a step of a lifted field from each point in `x`. Points have only original variables.
+    /// Makes a step of a lifted field from each point in `x`, after adding the new variables.
     fn stepped_between<'py>(
         &self,
         x: &Bound<'py, PyAny>,

@@ -1,4 +1,4 @@
-//! The crossings of orbits with a section as arrays, complete or block by block.
+//! Returns the crossings of orbits with a section as arrays, either all at once or in blocks.
 
 use std::ops::ControlFlow;
 

@@ -87,7 +87,7 @@ struct SensitivityOptions<'py> {
 struct Vectors {
     names: Vec<String>,
     by: Vec<Sensitivity>,
-    /// For a derivative with respect to an initial value, the index of that variable; else `None`.
+    /// For each vector, k if it is the derivative by the initial value of variable k, else `None`.
     starts: Vec<Option<usize>>,
     variables: usize,
 }
@@ -102,7 +102,7 @@ impl Vectors {
         self.starts.iter().flat_map(vector)
     }
 
-    /// Copies vector k of a state to row `row` of the k-th derivative array, which has `rows` rows.
+    /// Copies each vector of a point to row `row` of its own array. Every array has `rows` rows.
     fn put<T: Float>(&self, vectors: &[T], derivatives: &mut [T], row: usize, rows: usize) {
         let n = self.variables.max(1);
         for (k, vector) in vectors.chunks_exact(n).enumerate() {
@@ -170,8 +170,8 @@ impl Field {
     }
 }
 
-/// Propagates the vectors from row to row by the map `with`. Each row replaces the computed point,
-/// which may differ from the row by rounding.
+/// Propagates the vectors from row to row by the map `with`. At each row, the point is taken from
+/// `rows`, because the computed point may differ by rounding.
 fn carried<'py, S>(
     with: &S,
     rows: &PyReadonlyArrayDyn<'py, S::Scalar>,

@@ -1,4 +1,4 @@
-//! Returns points along many trajectories, equal to those of single orbits bit for bit.
+//! Returns points along many trajectories, bit for bit as if each orbit were computed alone.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -73,7 +73,7 @@ impl Field {
 }
 
 impl<T: Float> Trajectories<T> {
-    /// Follows points, and writes the rows chosen by `paces` to `to`, with NaN after an early end.
+    /// Writes the rows of the schedule `paces` for all trajectories, and NaN after an early end.
     fn series(
         &self,
         from: &[T],

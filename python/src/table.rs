@@ -13,8 +13,8 @@ use crate::field::Field;
 
 #[pymethods]
 impl Field {
-    /// Returns the columns of a question's rows, why the rows end, and the number of steps.
-    /// `color` is an observable that becomes the last column.
+    /// Returns the columns of the table that answers a question, the reason why its rows end, and
+    /// the number of steps. `color` is an observable that becomes the last column.
     #[pyo3(name = "_table", signature = (question, *, color = None, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(

@@ -11,7 +11,7 @@ pub fn exact(value: impl Into<f64>) -> Q {
     Q::from_float(value.into()).expect("a finite number")
 }
 
-/// Returns the nearest double, or a double that is one ulp from it.
+/// Converts a number to a double. The result is the nearest double or a neighbour of the nearest.
 #[must_use]
 pub fn float(value: &Q) -> f64 {
     value.to_f64().expect("a rational has a nearby f64")

@@ -23,7 +23,7 @@ pub fn read_unproved(text: &str) -> System {
 }
 
 impl Expression {
-    /// Reads a formula. Panics if it is invalid in these names.
+    /// Reads a formula in these names and `eps`. Panics if the formula is invalid.
     #[must_use]
     pub fn new(names: &[&str], formula: &str) -> Self {
         let equations: String = names.iter().map(|name| format!("{name}dot = 0;\n")).collect();

@@ -45,7 +45,7 @@ pub trait Map<T>: Steps<T> {
     fn det_jacobian(&self, x: &[T], eps: T) -> T;
     /// Returns the numerators adj(A)·b and the denominator det A of the next point.
     fn rational_map(&self, x: &[T], eps: T) -> (Vec<T>, T);
-    /// Returns (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`.
+    /// Returns (∂x̃/∂x)·v for a tangent vector v and the next point x̃ = `next`; `None` at a pole.
     fn push_forward(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>>;
     /// Returns the map prepared at ε.
     fn at(&self, eps: T) -> Box<dyn Prepared<T>>;
@@ -270,7 +270,7 @@ pub fn paper_and_random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
     paper().into_iter().chain(random_in_floats()).collect()
 }
 
-/// Returns an orbit in four ways: by steps and by orbits, of the map and of the prepared map.
+/// Returns an orbit by `step` and by `orbit`, of the map and of the prepared map.
 pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4] {
     let prepared = map.at(eps);
     let by = |step: &dyn Fn(&[T]) -> Vec<T>| {

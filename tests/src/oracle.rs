@@ -12,7 +12,7 @@ pub const SYSTEMS: [&str; 11] = ["euler", "lv", "e1", "e2", "e3", "e4", "e5", "e
 #[derive(Clone, Debug)]
 pub struct File(Value);
 
-/// An entry of a reference file: a case, an orbit, or a point at which A is singular.
+/// An entry under `cases`, `orbits` or `singular` in a reference file.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry<'a>(&'a Value, &'a Value);
 

@@ -88,7 +88,7 @@ fn exact(values: &[Q], variable: Variable) -> Rational {
     values[usize::from(variable.0)].clone().into()
 }
 
-/// Bounds the error of `step`. Panics if `step`, evaluated exactly, does not give `place.next`.
+/// Bounds the rounding errors of `step`. Panics if the exact result differs from `place.next`.
 fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let input = |variable| exact(values, variable);
     let constants = running_bound::results(&step.constants, &[], unit, input);
@@ -107,11 +107,12 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
 
 /// Bounds the error of 2ε·v, where v = A⁻¹f is computed by elimination with partial pivoting.
 ///
-/// Let L and U be the computed factors of A, n their size, u the unit roundoff, and γ_k = ku/(1 −
-/// ku). Elimination with rounded reciprocals solves exactly a system whose matrix differs from A by
-/// at most γ_{3n+2}|L||U| (Higham, Theorem 9.4). Each row of |L||U| sums to at most n²·2ⁿ·max|A|.
-/// If E is the sum of this difference and the rounding error of A, and d the error of f, the error
-/// of v is at most ‖A⁻¹‖(‖E‖‖v‖ + ‖d‖)/(1 − ‖A⁻¹‖‖E‖) in the maximum norm.
+/// - Let n be the size of A, u the unit roundoff, and γ_k = ku/(1 − ku).
+/// - Elimination with rounded reciprocals solves exactly a system whose matrix differs from A by at
+///   most γ_{3n+2}|L||U|. Here L and U are the computed factors (Higham, Theorem 9.4).
+/// - With partial pivoting, each row of |L||U| sums to at most n²·2ⁿ·max|A|.
+/// - Let E be the sum of that difference and the rounding error of A, and d the rounding error of
+///   f. In the maximum norm, the error of v is at most ‖A⁻¹‖(‖E‖‖v‖ + ‖d‖)/(1 − ‖A⁻¹‖‖E‖).
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
     let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {

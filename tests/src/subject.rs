@@ -1,4 +1,4 @@
-//! Systems at parameter values, in both back ends. The test suites run on these systems.
+//! The systems of the test suites, each as generated code and in the interpreter.
 
 use std::sync::LazyLock;
 

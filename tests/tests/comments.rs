@@ -1,7 +1,7 @@
 //! Checks rules for comments: their openings, their widths, and the lengths of module heads.
 //!
-//! A reader meets one comment at a time, so no comment may open with a word that refers to another
-//! comment or postpones its subject. Files that are compared with generated code are exempt.
+//! A reader meets one comment at a time, so no comment may open with a word such as `It` or
+//! `These`. Files that are compared with generated code are exempt.
 
 use std::fs;
 

@@ -9,7 +9,7 @@ use std::{env, fs};
 use kahan_tests::sources::root;
 use serde_json::Value;
 
-/// Dependencies, each with the only crates that may use it.
+/// Dependencies of the command, each with the only crates that may use it.
 const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
     ("clap", &["kahan-cli"]),
     ("indicatif", &["kahan-cli"]),
@@ -27,7 +27,7 @@ const FIRST_UNITS: usize = 60;
 /// The packages that all programs and the Python wheel must compile identically.
 const SHARED: [&str; 4] = ["kahan-core", "kahan-runtime", "kahan-systems", "kahan-paper"];
 
-/// The prefixes of the names of crates whose speed is measured.
+/// The names of crates whose speed is measured begin with one of these prefixes.
 const TIMED: [&str; 6] =
     ["kahan-core", "kahan-dynamics", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
 
@@ -111,7 +111,7 @@ fn the_catalog_is_a_light_dependency() {
     }
 }
 
-/// Returns the crates with an optimisation level in the profiles `release` and `sweep`.
+/// Returns each crate whose optimisation level a release or sweep profile sets, and the level.
 fn levels(manifest: &str) -> Vec<(String, String)> {
     let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
     let mut section = "";
@@ -137,7 +137,7 @@ fn not_optimised(manifest: &str) -> Vec<String> {
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
 }
 
-/// Without an explicit `opt-level`, cargo compiles dependencies of the macro again for the command.
+/// Cargo compiles a dependency of the macro and the command twice unless its `opt-level` is set.
 #[test]
 fn what_the_macro_and_the_command_share_is_compiled_once() {
     let named = levels("Cargo.toml");
@@ -196,7 +196,7 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
 /// Cargo compiles a crate again for each set of features, so all programs need equal features.
 #[test]
 fn what_programs_and_the_wheel_share_is_compiled_once() {
-    // `cargo run --release` builds one program, and resolves features over the default members.
+    // `cargo run --release` builds one program, with the features of all default members.
     let first = units(&["build", "--release", "--bin=kahan-verify"]);
     assert!(first.len() <= FIRST_UNITS, "{} units: {first:?}", first.len());
     let command = units(&["build", "--release", "--package=kahan-cli"]);

@@ -162,7 +162,7 @@ impl Layered {
         found
     }
 
-    /// Returns the modules that a file's paths lead to, relative to the root or the module.
+    /// Returns the modules that a file uses, as paths from the crate's root or the layered module.
     fn needs(&self, file: &Path, text: &str) -> Vec<Vec<String>> {
         let module = file.strip_prefix(self.source()).expect("a file of the crate").with_extension("");
         let outer = self.module.map(|(module, _)| module);
@@ -175,7 +175,7 @@ impl Layered {
         let mut needs: Vec<Vec<String>> =
             ["crate::", &own].iter().flat_map(|root| after(text, root)).flat_map(paths).collect();
         for path in after(text, "super::").flat_map(paths) {
-            // In inline modules, `super` leads only to the file's module: `climbed` is 1 too large.
+            // Inline modules, in which `climbed` would be 1 too large, are not considered.
             let climbed = 1 + path.iter().take_while(|name| *name == "super").count();
             let rest = path.into_iter().skip(climbed - 1);
             let kept = module[..module.len().saturating_sub(climbed)].iter().map(|&name| name.to_owned());

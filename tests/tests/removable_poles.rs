@@ -81,7 +81,6 @@ fn compiled_and_read_agree<M, const N: usize>(
     );
     assert_eq!(map.reduced_map(&x, eps.clone()), read.reduced_map(&x, eps.clone()), "{name} at {x:?}");
     if let Ok(next) = map.try_step(&x, eps.clone()) {
-        // `push_forward_to` must multiply v by the Jacobian of the map, even where det A = 0.
         let v = SVector::from_fn(|i, _| BigRational::new((2 * i as i64 - 3).into(), 5.into()));
         let carried = map.at(eps.clone()).tangent().push_forward_to(&x, &next, &v);
         assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");
@@ -171,8 +170,8 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// Returns a random field with last variable z. All other variables x have ẋ = u·x·z with one
-/// random number u. The factor 1 − εu·z cancels in the map.
+/// Returns a random field with last variable z. Every other variable x has the equation ẋ = u·x·z,
+/// with the same random number u. Therefore the factor 1 − εu·z cancels in the map.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));

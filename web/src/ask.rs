@@ -1,6 +1,6 @@
 //! Reads the page's questions, and answers them.
 //!
-//! Questions are read by name, because the enum `Question` would double the size of the module.
+//! Reading the enum `Question` instead of names would double the size of the WebAssembly module.
 
 use std::ops::ControlFlow;
 
@@ -64,7 +64,7 @@ impl<E: ToString> From<E> for Mistake {
     }
 }
 
-/// The number of parts of an orbit for which the largest errors are shown.
+/// An orbit is cut into this many pieces, and the largest error in each piece is shown.
 const PARTS: usize = 480;
 
 impl Reply {
@@ -136,7 +136,7 @@ impl Asker {
             let read: Subject = read(subject.clone())?;
             let study = read.study_to_show(&Systems);
             let study = study.map_err(|error| match error {
-                // The page offers the lift itself, by a button.
+                // The page shows a button for lifts, so advice about lifts is left out.
                 StudyError::Field(mistakes) if read.calls_for_a_lift() => {
                     Mistake { said: mistakes.without_help().to_string(), lifts: true }
                 }
@@ -148,7 +148,7 @@ impl Asker {
         Ok(&self.last.as_ref().expect("it was put there").1)
     }
 
-    /// Returns the last study with the integrals that an orbit preserves.
+    /// Returns the last study, with the integrals that the map preserves at the orbit's ε.
     fn study_of_orbit(&mut self, asked: &Orbit) -> Result<Study, StudyError> {
         let (_, study) = self.last.as_ref().expect("a subject was read");
         if !asked.is_of_the_map() {
@@ -165,7 +165,7 @@ fn read<T: DeserializeOwned>(value: Value) -> Result<T, serde_json::Error> {
     serde_json::from_value(value)
 }
 
-/// Returns a block as a user would write it, without header and documentation.
+/// Returns a block without header and documentation, as users type it.
 fn written(block: &str) -> String {
     let lines = block.lines().map(|line| line.strip_prefix("    ").unwrap_or(line));
     let lines = lines.filter(|line| !line.trim_start().starts_with("///"));
@@ -232,7 +232,7 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
     Ok(Reply { answer, columns, ..Reply::default() })
 }
 
-/// Returns the largest errors of the relations in equal parts of an orbit.
+/// Returns the largest error of each relation in each of [`PARTS`] equal pieces of an orbit.
 fn relations(study: &Study, asked: &Orbit) -> Result<Reply, StudyError> {
     let seen = study.relation_errors(&asked.at, &asked.eps, asked.steps, PARTS)?;
     let padded = |errors: &Vec<f64>| {

@@ -13,8 +13,8 @@ use serde_json::json;
 
 use crate::ask::{Answered, Asker};
 
-// SAFETY: the worker provides functions with these signatures. During a call, they read the
-// `length` bytes at `text`, and touch no other memory of this module.
+// SAFETY: the worker provides functions with these signatures. A call reads the `length` bytes at
+// `text`, and touches no other memory of this module.
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
     /// Returns the milliseconds since the worker began.
@@ -33,7 +33,7 @@ impl Watch for Page {
         Some(Duration::from_secs_f64(now() / 1e3))
     }
 
-    /// Passes on at most ten counts a second, because some orbits count each step.
+    /// Some orbits report every step, so at most ten reports a second are passed on.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         let time = now();
         if progress.of.is_some() && time - LAST_LOOK.get() < 100.0 {
@@ -65,7 +65,7 @@ thread_local! {
     static STATE: RefCell<State> = RefCell::default();
 }
 
-// SAFETY of the exported functions: no other crate here exports these names.
+// SAFETY of `no_mangle` below: no other crate in the WebAssembly module exports these names.
 
 /// Returns the address at which the worker writes a question of `length` bytes.
 #[unsafe(no_mangle)]

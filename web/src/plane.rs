@@ -17,7 +17,7 @@ pub(crate) struct Plane {
     window: [[f64; 2]; 2],
     /// The number of points in each direction.
     points: [usize; 2],
-    /// The orbit whose preserved integrals are computed; `None` if no integrals are wanted.
+    /// Integrals are computed for the ε of this orbit; `None` if no integrals are wanted.
     pub(crate) orbit: Option<Orbit>,
 }
 
@@ -55,7 +55,7 @@ pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), S
         }
     }
     let mut equilibria: Vec<Equilibrium> = Vec::new();
-    // A lifted field may have further equilibria, at which its relations do not hold.
+    // Lifts with new variables may have equilibria that violate their relations.
     if study.lift().is_none_or(|lift| lift.order() == 0 && !lift.has_time) {
         let step = |x: &[f64]| {
             let (mut value, mut derivative) = (vec![0.0; count], vec![0.0; count * count]);

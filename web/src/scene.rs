@@ -6,12 +6,12 @@ use serde_json::{Map, Value, json};
 
 /// The largest number of orbits with which a picture begins.
 const ORBITS: usize = 5;
-/// The smallest fraction of the picture's area that the box around an orbit must fill.
+/// The box around a drawn orbit must fill at least this fraction of the picture's area.
 const SHARE: f64 = 0.25;
 /// The factors by which a given initial point is multiplied to get further initial points.
 const MULTIPLES: [(i64, i64); 11] =
     [(3, 4), (1, 2), (5, 4), (3, 2), (7, 8), (9, 8), (2, 1), (1, 4), (-1, 2), (-3, 4), (-1, 1)];
-/// The parameter values that are tried, row by row. A row that is too short is repeated.
+/// Rows of parameter values that are tried in order. A row is repeated for further parameters.
 const VALUES: [&[(i64, i64)]; 4] = [
     &[(1, 1)],
     &[(1, 1), (1, 2), (1, 3), (2, 3), (1, 4)],
@@ -81,10 +81,10 @@ fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit),
     Ok(first.expect("some values were tried"))
 }
 
-/// The coordinates of the initial point that is tried first.
+/// The coordinates of the first initial point that is tried, repeated for further variables.
 const UNITS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 
-/// Returns a wide, bounded orbit of a point of size 1, or else the library's choice of an orbit.
+/// Returns the orbit from the text's own point, from [`UNITS`], or else the library's choice.
 fn first_orbit(study: &Study) -> Result<ShownOrbit, StudyError> {
     if let Some(own) = study.start().or_else(|| study.lift_start()) {
         return study.shown_orbit(None, Some(&own));
@@ -134,8 +134,8 @@ fn plane(orbits: &[ShownOrbit], variables: usize) -> (Vec<usize>, Vec<Vec<Ration
     best
 }
 
-/// Returns the initial points of at most [`ORBITS`] orbits. The box of each orbit fills at least
-/// the fraction [`SHARE`] of the box around all of these orbits.
+/// Chooses at most [`ORBITS`] orbits, and returns their initial points. The box around each chosen
+/// orbit fills at least the fraction [`SHARE`] of the box around all chosen orbits.
 fn wide(orbits: &[ShownOrbit], axes: &[usize]) -> Vec<Vec<Rational>> {
     let boxes: Vec<Vec<[f64; 2]>> =
         orbits.iter().map(|orbit| axes.iter().map(|&k| orbit.extremes[k]).collect()).collect();

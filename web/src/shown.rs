@@ -18,7 +18,7 @@ pub(crate) fn formulas(shown: ShownField, of_jacobian: bool) -> String {
     }
 }
 
-/// Returns the Jacobian of the map, or a formula for it if an entry is too long.
+/// Shows the formula for the map's Jacobian matrix, and its entries if they are short.
 fn jacobian(sheet: &FormulaSheet) -> Markup {
     html! {
         (display(JACOBIAN, LINE))
@@ -40,7 +40,7 @@ pub(crate) fn part(answer: &Answer) -> String {
     answer::html(answer).map_or_else(String::new, Markup::into_string)
 }
 
-/// Returns a picture of the heights of an exact orbit.
+/// Returns a picture of the heights log max(|p|, |q|) of coordinates p/q along an exact orbit.
 pub(crate) fn heights(found: &HeightsFound, eps: &Rational) -> String {
     picture::heights(found, eps, &PictureOptions::on(Paper::page(480, 320))).drawing.inline().into_string()
 }

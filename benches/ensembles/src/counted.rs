@@ -11,7 +11,7 @@ thread_local! {
     static OPERATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-/// A division is estimated as this many operations: two Newton iterations and a product.
+/// Operations counted for a division: two Newton iterations of two operations each, and a product.
 const ESTIMATED_DIVISION: usize = 5;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ fn counted(operations: usize, value: f64) -> Counted {
     Counted(value)
 }
 
-/// Counts the operations of one step. Returns 0 if the step cannot compute several points at once.
+/// Counts the operations of one step. Returns 0 without `HAS_LANES`, because `widen` would panic.
 pub(crate) fn operations<const N: usize>(step: &impl PreparedStep<f64, N>) -> usize {
     fn of<S: PreparedStep<f64, N>, const N: usize>(step: &S) -> usize {
         if !S::HAS_LANES {

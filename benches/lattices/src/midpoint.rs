@@ -68,7 +68,7 @@ pub(crate) fn table() {
         let (midpoint, midpoint_time, iterations) = midpoint(h, &start, eps, steps);
         let errors = [error(&kahan, &reference), error(&midpoint, &reference)];
         let times = [kahan_time, midpoint_time].map(|time| time.as_secs_f64() * 1e3);
-        // Both methods have order 2, so a quarter of the error needs twice as many steps.
+        // Both orders are 2, so the time for a given error is proportional to time · √error.
         let ratio = times[1] * errors[1].sqrt() / (times[0] * errors[0].sqrt());
         println!(
             "| {steps} | {:.1e} | {:.2} | {:.1e} | {:.2} | {:.2} | {ratio:.2} |",
@@ -118,7 +118,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             at.step(&mut next);
             time += begun.elapsed() + evaluated;
             iterations += 1;
-            // The solver returns m + 2εs for the midpoint m, where s solves Newton's linear system.
+            // The step adds 2ε times `change`, the solution of Newton's linear system.
             let change: Vec<f64> = next.iter().zip(&m).map(|(next, m)| (next - m) / (2.0 * eps)).collect();
             m.iter_mut().zip(&change).for_each(|(m, change)| *m += change);
             if change.iter().all(|change| change.abs() < 1e-12) {

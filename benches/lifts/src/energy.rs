@@ -1,4 +1,4 @@
-//! Measures how energies drift: the one that a lifted map preserves, and that of the equations.
+//! Measures drifts of the energy that a lifted map preserves, and of the equations' own energy.
 
 use kahan_lift::{LiftCriterion, Reembedding};
 
@@ -24,8 +24,8 @@ const EPS: f64 = 0.01;
 /// The largest error of a preserved energy, relative to the sum of its terms' sizes. Rounding
 /// errors grow like the root of the number of steps: 10 · 1.1e-16 · √10⁶ ≈ 1e-12.
 const ROUNDING: f64 = 1e-12;
-/// The largest factor by which the error may grow between 10⁴ and 10⁶ steps. The factor is 10 for a
-/// random walk, and 100 for a drift.
+/// The largest permitted growth of the error between 10⁴ and 10⁶ steps. A random walk grows by √100
+/// = 10, and a drift by 100.
 const WALK: f64 = 30.0;
 
 pub(crate) fn energy() {
@@ -75,7 +75,7 @@ const SMOOTH: [&str; 8] = [
     "φ⁴ chain of 3",
     "sine-Gordon chain of 3",
 ];
-/// The largest permitted ratio of the error in the last eighth of the time to that in the first.
+/// The largest permitted quotient of the errors in a run's last eighth and in its first eighth.
 const TREND: f64 = 1.2;
 const PROJECTION_EPS: f64 = 0.02;
 const PROJECTION_TIME: f64 = 4000.0;

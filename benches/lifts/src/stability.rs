@@ -1,9 +1,9 @@
 //! Compares the predicted with the observed growth of errors of a lift's relations.
 //!
-//! Lifts that `kahan lift` considers run at ε = 0.01 to the time 300. While a relative error of a
-//! relation or a state exceeds 0.05, they run again, at ε/8 and then at ε/64. A lift is bad if the
-//! last run has such an error. Otherwise it is good, or good at smaller ε if a relation of the
-//! first run has such an error.
+//! Each lift that `kahan lift` considers runs to the time 300 at ε = 0.01. If a relative error of a
+//! relation or a state exceeds 0.05, the lift runs again at ε/8. If an error at ε/8 exceeds 0.05,
+//! the lift runs at ε/64. A lift is bad if an error of its last run exceeds 0.05. Other lifts are
+//! good, or good at smaller ε if an error of a relation exceeded 0.05 at ε = 0.01.
 
 use std::fmt;
 
@@ -96,7 +96,6 @@ impl Judged {
         judged
     }
 
-    /// Returns whether relations and states are correct at the smallest ε.
     fn is_right(&self) -> bool {
         self.errors.last().is_some_and(|one| one.relations <= GOOD && one.states <= GOOD)
     }

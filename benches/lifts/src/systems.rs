@@ -87,7 +87,7 @@ impl System {
         slope.iter_mut().zip(&self.field).for_each(|(slope, formula)| *slope = formula.value(x));
     }
 
-    /// Returns the states at the ends of `parts` equal parts of the time, by Dormand–Prince.
+    /// Returns the states at `parts` equidistant times up to `time`, by the Dormand–Prince method.
     pub(crate) fn solution(&self, time: f64, parts: u32, tolerance: f64) -> Vec<Vec<f64>> {
         let mut x = DVector::from_column_slice(&self.start);
         let part = time / f64::from(parts);

@@ -61,7 +61,7 @@ kahan! {
         u[i]dot = p[i];
         p[i]dot = (u[i+1] - 2*u[i] + u[i-1]) + alpha*((u[i+1] - u[i])^2 - (u[i] - u[i-1])^2);
     }
-    // The sum is expanded, because no term u[i+1] - u[i] is the bond u[0] - 0 to the left wall.
+    // The powers of u[i+1] - u[i] are multiplied out, since their sum lacks the left bond u[0] - 0.
     hamiltonian H = sum(p[i]^2/2 + u[i]^2 - u[i]*u[i+1] + alpha*(u[i]^2*u[i+1] - u[i]*u[i+1]^2));
 }
 

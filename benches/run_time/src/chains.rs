@@ -1,4 +1,4 @@
-//! Times chains of dependent steps, by the macro's code and by machine code made at run time.
+//! Times orbits in code that the macro generates, and in machine code made at run time.
 
 use std::hint::black_box;
 

@@ -2,13 +2,12 @@
 //!
 //! # Formulas
 //!
-//! Let w₁, w₂, w₃ be the parameters, W = diag(w₁, w₂, w₃), P = εp, and c = (w₃−w₂, w₁−w₃, w₂−w₁).
-//! Eliminating m̃ leaves a linear system for p̃ with the matrix diag(d) + \[a\]×. Here \[a\]× is
-//! the matrix of the cross product with a = εm + P × WP. The vector d has d₁ = 1 − c₃P₂² + c₂P₃²,
-//! and d₂, d₃ follow cyclically. The sign ∘ is the product by components. The step is:
+//! Let w₁, w₂, w₃ be the parameters, W = diag(w₁, w₂, w₃), c = (w₃−w₂, w₁−w₃, w₂−w₁), P = εp and a
+//! = εm + P × WP. Eliminating m̃ leaves a linear system for p̃ with the matrix diag(d) + \[a\]×,
+//! where \[a\]× is the matrix of the cross product with a. The vector d has d₁ = 1 − c₃P₂² + c₂P₃²,
+//! and d₂, d₃ follow cyclically. Let S = Σdᵢaᵢ² and D = d₁d₂d₃ + S. The step is:
 //!
-//! - p̃ = p + 2(e∘(p × a) + (Σdᵢaᵢpᵢ)a − Sp)/D with e = (d₂d₃, d₃d₁, d₁d₂), S = Σdᵢaᵢ²,
-//! - D = d₁d₂d₃ + S,
+//! - p̃ = p + 2(q + (Σdᵢaᵢpᵢ)a − Sp)/D, where q₁ = d₂d₃(p × a)₁, and q₂, q₃ follow cyclically,
 //! - m̃₁ = m₁ + εc₁(p₂p̃₃ + p₃p̃₂), and m̃₂, m̃₃ follow cyclically.
 
 use kahan_bench_fields::Clebsch;
@@ -72,7 +71,7 @@ pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [
     }
 }
 
-/// Computes a step. The numerators of m do not need the quotient 2/D, so both are computed at once.
+/// Computes a step, in which the numerators of m̃ need not wait for the quotient 2/D.
 pub(crate) fn m_beside_p(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);

@@ -36,7 +36,7 @@ pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes the quotient for z last, so that compilers cannot pack the divisions into one register.
+/// Makes two separate divisions, so that compilers do not combine them in one vector instruction.
 pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {

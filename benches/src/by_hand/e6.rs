@@ -1,7 +1,9 @@
-//! Steps of E6, which is the Euler top with the coefficients −3, 1, 1 in s = x + z, d = x − z, y.
-//! Capital letters X, Y, Z are εx, εy, εz. With T = 3Y, u = 1 + T, v = 1 − T, a = y + εsd, b = d +
-//! Ys, c = s − Td, g = 2z − xu, h = zv − 2x the map is x̃ = x + 2εag/D, ỹ = y + 2εbc/D, z̃ = z +
-//! 2εah/D, where D = 1 + TY + 2ε²(zh − xg) = 1 + 3Y² − 8XZ + 2X²u + 2Z²v.
+//! Steps of E6, the Euler top with the coefficients −3, 1, 1 in the variables x + z, x − z and y.
+//!
+//! - Let s = x + z, d = x − z, X = εx, Y = εy, Z = εz, T = 3Y, u = 1 + T and v = 1 − T.
+//! - Let a = y + εsd, b = d + Ys, c = s − Td, g = 2z − xu and h = zv − 2x.
+//! - Let D = 1 + TY + 2ε²(zh − xg) = 1 + 3Y² − 8XZ + 2X²u + 2Z²v.
+//! - The step is x̃ = x + 2εag/D, ỹ = y + 2εbc/D, z̃ = z + 2εah/D.
 //!
 //! The constant 3ε is not computed in advance, since its rounding would make the integrals drift.
 
@@ -45,7 +47,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes the denominator as `short_chain` does, but with 8ε, which has no rounding error.
+/// Computes the denominator as `short_chain` does, but with the constant 8ε, which is not rounded.
 pub(crate) fn shortest_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (two_eps, eight_eps) = (2.0 * eps, 8.0 * eps);
     move |[x, y, z]| {

@@ -1,10 +1,10 @@
-//! Steps of Lorenz's system. Capital letters X, Y, Z are εx, εy, εz. With s, r, b = εσ, ερ, εβ, k =
-//! 1 + s, l = 1 + ε, c = 1 + b, q = x + sy, R = r − Z, T = kl − sR the map is
+//! Steps of Lorenz's system with the parameters σ, ρ, β.
 //!
+//! - Constants: s = εσ, r = ερ, b = εβ, k = 1 + s, l = 1 + ε, c = 1 + b.
+//! - Variables: X = εx, Y = εy, Z = εz, q = x + sy, R = r − Z, T = kl − sR, D = cT + X(kX + sY).
 //! - x̃ = x + 2s(cy + x(c(r − l) − Z − X²))/D,
 //! - ỹ = y + 2(q(cR − XY) − k(cY − bXz))/D,
-//! - z̃ = z + 2(q(RX + Y) − sXY − bzT)/D,
-//! - D = cT + X(kX + sY).
+//! - z̃ = z + 2(q(RX + Y) − sXY − bzT)/D.
 //!
 //! The system has no integral that could drift, so all constants are computed in advance.
 

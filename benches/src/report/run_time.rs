@@ -14,8 +14,8 @@ const MACRO: &str = "macro: ";
 const RUN_TIME: &str = "run time: ";
 /// The prefix in the name of a task that compiles. The macro's code has no such task.
 const COMPILING: &str = "compiling: ";
-/// Tasks whose times have no limit, because run-time code and the macro's code differ in calls,
-/// registers or rounding.
+/// Tasks whose times have no limit. In the first, run-time code needs a call for each step. In the
+/// second, the macro's code uses fused multiply-adds.
 const UNJUDGED: [&str; 2] = ["a step at a time", "ensemble"];
 /// The largest permitted time of run-time code, divided by that of the macro's code.
 const AT_MOST: f64 = 1.15;

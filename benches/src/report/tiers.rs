@@ -11,7 +11,7 @@ use crate::worker::{self, Worker};
 
 /// The kind of step with which all others are compared.
 const FAST: &str = "fast";
-/// The fast tier with a separate call for each step, as in the stable tier.
+/// The fast step with one call for each step, for comparison with the stable step.
 const STEP: &str = "fast, a step at a time";
 
 /// The limits: two tiers, `true` for native builds, and the largest permitted ratio of times.

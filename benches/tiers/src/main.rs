@@ -1,4 +1,4 @@
-//! A process that times, on request, the tiers of a step: fast, compensated, projective, stable, …
+//! A process that times steps of different kinds on request, such as fast, compensated and stable.
 
 mod tasks;
 

@@ -12,10 +12,10 @@ use super::scene::Setting;
 
 pub(crate) struct Told {
     pub(crate) choice: Setting,
-    /// For each scheme (scalar type, order, compensated or not): the setting with the smallest ε,
-    /// and its nanoseconds per unit of simulated time according to the command.
+    /// The price of one setting of each `Scheme`, in nanoseconds per unit of simulated time. The
+    /// setting is the one with the smallest ε in the command's answer.
     pub(crate) prices: Vec<(Setting, f64)>,
-    /// The seconds of a fixed loop, the smaller of its times before and after the command.
+    /// The seconds of a fixed loop, which measure the machine's speed before and after the command.
     pub(crate) pace: f64,
 }
 
@@ -54,7 +54,7 @@ fn setting(object: &Value) -> Result<Setting> {
     let order = object["order"].as_u64().context("no order")?;
     let composition = Composition::of_order(u32::try_from(order)?).context("no such order")?;
     let compensated = object["compensated"] == true;
-    // Reading JSON may lose the last bit, so take the nearest admissible ε.
+    // Take the nearest number of the scalar type, because reading JSON may change the last bit.
     let eps = precision.eps_near(object["eps"].as_f64().context("no eps")?, Need::Trajectory);
     Ok(Setting { scheme: Scheme { precision, composition, compensated }, eps })
 }

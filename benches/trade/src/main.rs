@@ -28,8 +28,8 @@ use unseen_fields::{
 /// The largest permitted cost of the command's choice and of the library's choice, each relative to
 /// the cheapest setting.
 const DEAREST: [f64; 2] = [1.3, 3.0];
-/// The factor by which errors may exceed the tolerance, because the command checks fewer points
-/// than this program.
+/// The factor by which the error of a choice may exceed the tolerance. The command checks fewer
+/// points than this program, so it may miss the largest error.
 const UNSEEN: f64 = 1.02;
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
 
@@ -97,7 +97,7 @@ impl Check {
                 end: horizon,
                 allowed: 1e-3 * tolerance,
             };
-            // An orbit may end a little beyond the horizon, so the reference continues.
+            // The margin allows for an orbit that ends a little beyond the horizon.
             let limits = TrajectoryLimits { margin: 1.0 / 256.0, is_over: None, variables: None };
             let reference = Reference::of(&map.extend_scalars::<Dd>(to), &asked, &limits)?;
             let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };

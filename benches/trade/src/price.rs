@@ -10,8 +10,8 @@ use super::scene::{Scene, Setting};
 
 const ROUNDS: usize = 60;
 
-/// The largest permitted ratio of a price measured here to the price that the command gives. Ratios
-/// from 0.9 to 2.1 were measured, and 3.6 if the crates were not optimised together.
+/// The largest permitted ratio of a price measured here to the price that the command gives.
+/// Measured ratios were between 0.9 and 2.1.
 pub(crate) const NEAR: f64 = 2.5;
 
 /// Returns the price of each setting in nanoseconds per unit of time, and the least [`pace`].

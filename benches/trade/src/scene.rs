@@ -32,7 +32,7 @@ pub(crate) struct Scene<M, const N: usize> {
     pub(crate) reference: Reference,
 }
 
-/// Evaluates `$body`, in which the closure `$begin` starts the orbit of a setting.
+/// Evaluates `$body`, in which `$begin()` starts an orbit with the method of `$setting`.
 macro_rules! with_orbit {
     ($map:expr, $start:expr, $eps:expr, $setting:expr, |$begin:ident| $body:expr) => {
         match (
@@ -89,7 +89,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.extend_scalars(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// Returns the largest distance from the reference, or the first distance above `enough`.
+    /// Returns the largest distance of orbit and reference, or the first distance above `enough`.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
@@ -110,7 +110,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
     }
 
     pub(crate) fn price(&self, setting: &Setting) -> f64 {
-        /// The largest number of steps of a timed orbit. Shorter orbits are repeated to this total.
+        /// The approximate number of timed steps. An orbit with fewer steps is repeated.
         const STEPS: usize = 400;
         /// The least number of steps of one timed orbit, since starting an orbit takes time.
         const PIECE: usize = 64;

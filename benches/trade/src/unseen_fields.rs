@@ -2,7 +2,6 @@
 
 use kahan_core::prelude::*;
 
-/// A field in the form of text that the command reads.
 pub(crate) trait Text {
     const TEXT: &str;
 }
@@ -37,7 +36,7 @@ fields! {
         zdot = x*y + x/3 - y/5;
     }
 
-    /// Prey with limited growth, and predators.
+    /// Predators, and prey whose growth is limited.
     Tired {
         xdot = x*(1 - y) - x^2/10;
         ydot = y*(x - 1/2);
@@ -76,7 +75,7 @@ fields! {
         vdot = -y - x^2 + y^2;
     }
 
-    /// Nahm's equations with octahedral symmetry, whose solutions come close to poles.
+    /// Nahm's equations with octahedral symmetry, whose solutions have poles as functions of time.
     Nahm {
         xdot = 2*x^2 - 12*y^2;
         ydot = -6*x*y - 4*y^2;

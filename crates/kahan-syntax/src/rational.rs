@@ -90,7 +90,7 @@ impl Rational {
         })
     }
 
-    /// Returns |p| and k if the number is ±p/2ᵏ and p fits into 64 bits.
+    /// Returns p and k if the absolute value of the number is p/2ᵏ and p fits into 64 bits.
     fn dyadic(&self) -> Option<(u64, u64)> {
         match &self.0 {
             Repr::Small { num, den } => {

@@ -1,4 +1,4 @@
-//! The spelling of names: keywords, misspellings, marks of derivatives, and proposed names.
+//! The spelling of names: keywords, misspellings, derivatives such as `xdot`, and proposed names.
 
 /// The documentation page about fields that are not quadratic, for help texts.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
@@ -6,7 +6,7 @@ pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 /// The advice that help texts give for fields that are not quadratic.
 pub const LIFTS: &str = "`kahan lift`, or `lift=True` in Python, makes a quadratic field of it";
 
-/// The documentation page about the notation of texts, for help texts.
+/// The documentation page about notations for equations, to which help texts refer.
 pub const ON_TEXTS: &str = "docs/how-to/texts.md";
 
 /// Returns whether a name is `_`, or a strict or reserved keyword of Rust.
@@ -58,7 +58,7 @@ pub fn fresh(wanted: &[&str], is_taken: impl Fn(&str) -> bool) -> String {
     plain.chain(numbered).find(|name| !is_taken(name)).expect("there is always one more")
 }
 
-/// Returns advice on how to write a derivative of `state`: `xdot = …`, or a chain of equations.
+/// Returns advice on how to write a derivative of `state`, with one equation for each order.
 #[must_use]
 pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) -> String {
     if order < 2 {

@@ -99,7 +99,7 @@ pub struct Header {
 pub struct WrittenTokens {
     /// The text of the tokens, with one entry for each attribute or line of documentation.
     pub lines: Vec<String>,
-    /// The span of the tokens; `None` for documentation in a text.
+    /// The span of the tokens; `None` without tokens. In texts, `///` lines are no tokens.
     pub span: Option<Span>,
 }
 
@@ -395,7 +395,7 @@ pub enum FormulaSyntax {
 }
 
 impl Expr<FormulaSyntax> {
-    /// Converts an expression without functions and general powers; `None` for other expressions.
+    /// Converts to a rational expression; `None` if function calls or general powers occur.
     #[must_use]
     pub fn rational(&self) -> Option<Expr> {
         let boxed = |inner: &Expr<FormulaSyntax>| inner.rational().map(Box::new);
@@ -437,7 +437,7 @@ pub enum Reference<'a> {
 }
 
 impl<'a> Reference<'a> {
-    /// Returns the text under which tables of symbols store this name or site.
+    /// Returns the key of this name or site in symbol tables.
     #[must_use]
     pub fn key(self) -> Cow<'a, str> {
         match self {

@@ -1,4 +1,4 @@
-//! Tests translations of texts in many notations.
+//! Tests that texts in many notations are translated into the language of `kahan!`.
 
 use std::fmt::Write;
 use std::fs;

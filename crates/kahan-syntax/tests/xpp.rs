@@ -41,7 +41,7 @@ fn functions_of_the_file_are_put_in() {
     for (text, expected) in [
         ("f(x)=x*(1-x)\ny'=f(y)", "ydot = ((y)*(1-(y)));"),
         ("f(x,k)=k*x\ng(x)=f(x+1, 2)-x\ny'=g(z)\nz'=f(z,a)", "ydot = (((2)*((z)+1))-(z)); zdot = ((a)*(z));"),
-        // The argument `y` has the name of a state, and the formula of `f` uses the quantity `q`.
+        // The argument `y` of `f` must not be confused with the state `y` in `q`.
         ("q = y*a\nf(y)=y + q\nx'=f(x)\ny'=x", "xdot = ((x) + (y*a)); ydot = x;"),
         ("r = f(y) + 1\nf(x)=2*x\ny'=r", "ydot = ((2*(y)) + 1);"),
     ] {

@@ -16,7 +16,7 @@ fn folder() -> PathBuf {
 }
 
 fn cargo(arguments: &[&str]) -> String {
-    // The tests' temporary folder is `tmp` in the target folder.
+    // Trybuild compiles in the folder `tests/trybuild` of the target folder.
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("tests").join("trybuild");
     // Copy the lock file once, so that no cargo process reads an incomplete file.
     static LOCK_FILE: Once = Once::new();

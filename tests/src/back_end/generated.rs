@@ -1,4 +1,4 @@
-//! Runs the macro's code over exact numbers, and asserts that all ways to take a step agree.
+//! Runs generated code over exact numbers, and asserts that all ways to take a step agree.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 

@@ -20,7 +20,7 @@ use crate::expression::evaluate;
 /// A system that the front end has read, and the formulas derived from it.
 #[derive(Debug)]
 pub struct Read {
-    /// The system that was read.
+    /// The system's equations and claims.
     pub system: System,
     derived: OnceLock<Derived>,
 }
@@ -160,7 +160,7 @@ impl BackEnd for Interpreted {
         self.at(x, eps).jacobian.as_deref().map(outward_rows)
     }
 
-    /// Uses the formula of generated code, or the Jacobian matrix if there is no formula.
+    /// Computes (∂x̃/∂x)·v by the macro's formula, or by the Jacobian matrix without that formula.
     fn push_forward(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
         let plans = self.derived.plans.get_or_init(|| derive(self.system));
         let Some((_, plan)) = plans.tangent_map() else {
@@ -184,7 +184,7 @@ impl BackEnd for Interpreted {
         self.at(x, eps).det_jacobian.as_ref().map(Rational::to_big)
     }
 
-    /// Evaluates the expanded polynomials, or adj(A)·b and det A if they have too many terms.
+    /// Evaluates the map's expanded polynomials. Without them, computes adj(A)·b and det A.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q) {
         let Some(map) = &self.derived.map else {
             let matrix = self.matrix(x, eps);

@@ -33,7 +33,7 @@ impl Rounded {
         Self { exact: &self.exact * &other.exact, error }
     }
 
-    /// Divides without rounding. Returns `None` if the divisor's error is at least half its size.
+    /// Divides without rounding. Returns `None` if the divisor's relative error is at least 1/2.
     pub(super) fn over(&self, divisor: &Self) -> Option<Self> {
         let exact = self.exact.checked_div(&divisor.exact)?;
         let size = divisor.size();
@@ -50,7 +50,7 @@ impl Rounded {
     }
 }
 
-/// Bounds the results of compiled formulas. `None` if a divisor may have lost every digit.
+/// Bounds the errors of compiled formulas. A result is `None` if a divisor is too inaccurate.
 pub(super) fn results(
     plan: &Plan,
     prepared: &[Option<Rounded>],

@@ -30,7 +30,7 @@ fn parts(file: &str) -> (Vec<&str>, String) {
     )
 }
 
-/// Compares the claims found for a file with the file's text.
+/// Asserts that the claims found for a map are the claims written in the file.
 fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let (lines, equations) = parts(file);
     let system = read(&lexer::lex(&equations).tokens).system().expect("a system");

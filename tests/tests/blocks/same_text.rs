@@ -1,5 +1,5 @@
-//! Checks that rustc and the command report mistakes with equal texts at equal places. The blocks
-//! of the compile-error cases are read as text.
+//! Checks that rustc and the `kahan` command report the same mistakes in the same lines and
+//! columns. The blocks are those of the compile-error cases.
 
 mod cases;
 

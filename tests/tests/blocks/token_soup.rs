@@ -274,14 +274,14 @@ fn a_sum_of_twenty_thousand_terms_is_read() {
     let others: String = (1..40).map(|i| format!("x{i}dot = 0;")).collect();
     let reading = read_text(&format!("x0dot = {}; {others}", long_sum()));
     assert!(reading.diagnostics().is_empty());
-    // Each power of `a` has 40·40 terms xᵢxⱼ, which are 820 different products, as xᵢxⱼ = xⱼxᵢ.
+    // Of the products xᵢxⱼ of 40 variables, 820 are different, because xᵢxⱼ = xⱼxᵢ.
     let terms = reading.system().expect("a system").field.components[0].numerator().len();
     assert!((10_000..=20_000).contains(&terms), "{terms}");
 }
 
 #[test]
 fn a_claim_of_twenty_thousand_terms_is_proved() {
-    // For ẋ = 0 every function is an integral.
+    // Every function is an integral of ẋ = 0, ẏ = 0, so the long claim is true.
     let terms: Vec<String> = (1..=20_000).map(|k| format!("{k}*x^{}*y^{}", k % 50, k / 50 % 50)).collect();
     let text = format!("xdot = 0; ydot = 0; integral H = {};", terms.join(" + "));
     assert!(read_text(&text).diagnostics().is_empty());

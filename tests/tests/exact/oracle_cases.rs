@@ -135,8 +135,8 @@ fn the_brackets_are_the_oracle_s() {
             compared[1] += usize::from(case.scalar("c").and(case.matrix("Q")).is_some());
             for back_end in catalog(name, &case.parameters()).back_ends() {
                 assert_eq!(back_end.bracket("P", &x, &eps), case.matrix("P"), "{}", back_end.label());
-                // The file's matrix Q is `c` times the bracket Q. For E1 and E3, c = 1/x² is
-                // undefined at x = 0, where the file has no `c`.
+                // The file stores `c` times the catalog's bracket Q. It stores no `c` where the
+                // factor is undefined, as 1/x² is for E1 and E3 at x = 0.
                 if let Some(c) = case.scalar("c") {
                     let times_c = |m: Matrix| m.iter().map(|row| scaled(&c, row)).collect::<Matrix>();
                     assert_eq!(
@@ -188,8 +188,8 @@ fn the_integral_of_lotka_volterra_at_eps_one_and_minus_one_is_the_oracle_s() {
     assert_eq!(compared, 2);
 }
 
-/// For an integer ξ, the catalog's claim times (2ε)^(1−ξ) is the reference file's value of Ĥ₇ =
-/// (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u), where u = 1/(2εx) and Γ is the gamma function.
+/// The reference file has Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u), where u = 1/(2εx) and Γ is the gamma
+/// function. For an integer ξ, this is (2ε)^(1−ξ) times the catalog's integral of E7.
 #[test]
 fn the_claims_of_e7_at_integers_are_the_oracle_s() {
     let mut compared = 0;
@@ -260,7 +260,7 @@ fn where_the_oracle_s_determinant_is_zero_every_way_to_step_says_pole() {
             assert_eq!(Some(back_end.matrix(&x, &eps)), point.matrix("A"));
             assert_eq!(Some(back_end.rhs(&x, &eps)), point.vector("b"));
             assert_eq!(back_end.det_matrix(&x, &eps), q(0, 1));
-            // This pole is not removable. In generated code, `step` and `try_step` must both fail.
+            // The pole is not removable, so every way to step must fail.
             assert_eq!(back_end.step(&x, &eps), None);
             assert_eq!(back_end.jacobian(&x, &eps), None);
             assert_eq!(back_end.det_jacobian(&x, &eps), None);

@@ -171,7 +171,7 @@ fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
                 let (right, left) = (right.expect("beside the pole"), left.expect("beside the pole"));
                 for i in 0..3 {
                     let slope = (&right[i] - &left[i]) / (q(2, 1) * &small);
-                    // The error of the central difference is at most 10⁶·small² = small.
+                    // The central difference has an error of order `small`², below `small`.
                     let error = slope - &jacobian[i][j];
                     assert!(error < small && -error < small, "{}: entry ({i},{j})", back_end.label());
                 }
@@ -245,7 +245,7 @@ fn lotka_volterra_at_eps_one_is_the_recurrence_of_section_1() {
     for _ in 0..5 {
         let x = rationals.point(2);
         for back_end in subject.back_ends() {
-            // Since ỹ = x, the map is the recurrence x_{n+1} x_{n−1} = x_n (2 − x_n).
+            // For this map at ε = 1, ỹ = x and x_{n+1} x_{n−1} = x_n (2 − x_n).
             let Some(next) = back_end.step(&x, &q(1, 1)) else { continue };
             assert_eq!(next[1], x[0], "{}", back_end.label());
             let values = [x[0].clone(), next[0].clone(), x[1].clone()];

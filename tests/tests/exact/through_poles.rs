@@ -83,7 +83,7 @@ fn point_on(
     })
 }
 
-/// Compares the exact projective orbit from a point with the limits of nearby orbits.
+/// Asserts that the exact projective orbit from a point agrees with the limits of nearby orbits.
 fn follows(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     let x: SVector<Q, N> = SVector::from_fn(|i, _| x.get(i).map_or_else(Q::zero, Rational::to_big));
     let is_confined = pattern.confined == Some(true);

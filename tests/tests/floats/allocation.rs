@@ -35,7 +35,7 @@ where
         assert!(both.is_some_and(|x| x.iter().chain(composed.iter()).all(|entry| entry.is_finite())));
         assert!(last == Some(x) && also == Some(x) && x == y && z == w);
         assert!(projective.and_then(ProjectivePoint::affine) == Some(x));
-        // `step` and `try_step` may round differently; errors grow, so one step is compared.
+        // `step` and `try_step` may round differently, so only one step of each is compared.
         let stable = map.try_step(&start, eps).unwrap_or(start);
         assert!(stable != start && (stable - map.step(&start, eps)).amax() <= 1e-13);
         assert!(z.iter().all(|entry| entry.is_finite()));

@@ -107,7 +107,7 @@ fn top<T: Scalar>(convert: impl Fn(f64) -> T) -> EulerTop<T> {
     EulerTop { a1, a2, a3 }
 }
 
-/// Returns the integral (α₃y² − α₂z²)/(1 − ε²α₁α₂z²), whose size is independent of ε.
+/// Returns the Euler top's integral (α₃y² − α₂z²)/(1 − ε²α₁α₂z²) with the parameters αᵢ.
 fn top_integral(eps: f64) -> impl Fn(&SVector<f64, 3>) -> Dd {
     move |x| {
         let EulerTop { a1, a2, a3 } = top(Dd::from);
@@ -125,8 +125,8 @@ fn the_remedies_for_a_badly_rounded_eps_give_the_same_law() {
     let shortened =
         drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short).compensated()));
     let shortened_plain = drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short)));
-    // The orbit of X = εx with step 1 is the orbit of x with step ε. The integral of X is ε² times
-    // the integral of x. Here ε is `bad`.
+    // If x is an orbit with ε = `bad`, then εx is an orbit with ε = 1. The integral of εx is ε²
+    // times as large, so it is divided by ε².
     let of_scaled = |x: &SVector<f64, 3>| top_integral(1.0)(x) / (Dd::from(bad) * Dd::from(bad));
     let scaled = drift(&LONG, of_scaled, |x| {
         let scaled = top(f64::from).orbit(x, bad).scaled().expect("a homogeneous field");

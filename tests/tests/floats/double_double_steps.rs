@@ -102,7 +102,7 @@ impl Worst {
         const DISTANCES: [f64; 6] = [1e-12, -1e-12, 1e-9, -1e-9, 1e-6, -1e-4];
         let at = |distance: f64| place.with(i, pole * (1.0 + distance));
         let near = at(1e-12).exact_step(subject).expect("det A is not 0 there");
-        // At a pole of the map some component grows like the inverse distance.
+        // Near a pole of the map, a component of the next point grows like 1/distance.
         if size(&near) < 1e6 * largest(&place.x.iter().copied().map(f64::abs).collect::<Vec<_>>()) {
             return;
         }

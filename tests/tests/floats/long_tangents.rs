@@ -1,6 +1,6 @@
 //! Tests the accuracy of tangent vectors for long steps, compared with double-double. The code
-//! generator rejects formulas whose median error exceeds both 45 times that of elimination with
-//! pivoting and 450 units of roundoff.
+//! generator rejects a formula if its median error exceeds 450 units of roundoff and is more than
+//! 45 times that of elimination with pivoting.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;

@@ -2,9 +2,11 @@
 //!
 //! # Bounds
 //!
-//! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component errs by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of
-//!   fᵢ|, evaluated at the larger of |xⱼ| and |x̃ⱼ| for each variable.
-//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞).
+//! Let u be the unit roundoff, x̃ the computed next point, y the exact next point, and f the field.
+//!
+//! - Small steps, ε‖f′‖∞ ≤ 1e-3: |x̃ᵢ − yᵢ| ≤ ½ ulp(x̃ᵢ) + 32 uεS. Here S sums the absolute values
+//!   of the monomials of fᵢ, with max(|xⱼ|, |x̃ⱼ|) in place of each variable.
+//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − y‖∞ ≤ 16 u max(‖x‖∞, ‖y‖∞).
 //!
 //! Large samples are compared with double-double instead of exact steps.
 

@@ -92,7 +92,7 @@ where
             let mut state: Vec<A::Value> = x.iter().map(|entry| A::Value::from(*entry)).collect();
             let [by_step, ..] = every_way(map.as_ref(), &state, eps, STEPS);
             for point in by_step {
-                // Near a pole, numbers overflow, so the orbit is compared only up to there.
+                // Compare points until the first one that is not finite.
                 let here = Point { state, parameters: parameters.clone(), eps };
                 let Some(next) = interpreter
                     .next(arithmetic, &here)

@@ -138,7 +138,7 @@ where
             {
                 return;
             }
-            // Compute relative differences of the step for relative changes of the input by 2⁻⁸⁰.
+            // To get the condition number, change each input by the relative amount 2⁻⁸⁰.
             let change = two_to(-80);
             let moved = |x: &SVector<BigRational, N>, eps: &BigRational| {
                 step(x, eps).map(|next| (next - &exact).map(|entry| entry.abs()))
@@ -219,7 +219,7 @@ where
     M32: ExtendScalars<f32, N>,
 {
     for tally in [sample::<f64, _, N>(name, double, trials), sample::<f32, _, N>(name, single, trials)] {
-        // Errors violate no bound, so at least a third of the results must be `Ok`.
+        // An `Err` satisfies every error bound, so at least a third of the results must be `Ok`.
         assert!(tally.established > trials / 3, "{name}: {} of {trials} flagged", tally.flagged);
     }
 }

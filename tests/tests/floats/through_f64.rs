@@ -91,7 +91,7 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     let plain = error(ThroughF64(E6).orbit(start, eps).nth(steps));
     let compensated = error(ThroughF64(E6).orbit(start, eps).compensated().nth(steps));
     let in_single = error(E6.orbit(start, eps).compensated().nth(steps));
-    // E6 hardly amplifies rounding errors, so these errors show how each orbit was rounded.
+    // E6 hardly amplifies rounding errors, so an orbit's error shows how its steps were rounded.
     assert!(
         compensated < 1e-6 && compensated <= in_single && compensated < 0.1 * plain,
         "plain {plain:e}, compensated {compensated:e}, in f32 {in_single:e}"

@@ -23,7 +23,7 @@ where
     assert_eq!(map.matrix(x, eps.clone()) * jacobian, map.matrix(&next, -eps.clone()));
 }
 
-/// Tests points with small integers, for which minors of A sometimes vanish.
+/// Tests points with small integer coordinates, at which pivots sometimes vanish.
 fn at_small_points<M, const N: usize>(map: &M, seed: u64)
 where
     M: KahanMap<BigRational, N>,

@@ -78,7 +78,7 @@ fn the_ratio_of_two_integrals_with_one_denominator_survives() {
     keeps_the_ratio_and_the_measure("E6", &E6, E6::density);
 }
 
-/// Tests that the composition preserves (α₃y² − α₂z²)/(α₁z² − α₃x²).
+/// Tests that the composition preserves the Euler top's ratio (α₃y² − α₂z²)/(α₁z² − α₃x²).
 #[test]
 fn the_euler_top_keeps_the_ratio_of_its_quadratic_forms() {
     let (x, eps) = start();

@@ -36,7 +36,7 @@ fn has_order_two<M: KahanMap<f64, 3> + Clone>(name: &str, map: &M, flow: impl Fn
 
 #[test]
 fn the_global_error_is_of_order_two() {
-    // The solution has α = 2, so T = t + α increases from 2 to 3.
+    // The variable `big` is t + 2, and increases from 2 to 3.
     has_order_two("E1", &E1, |t| {
         let (big, beta, gamma) = (t + 2.0, 0.7, 1.3);
         [1.0 / big, beta / big, gamma * big - beta * beta / big]

@@ -27,7 +27,7 @@ use orbits::ORBITS;
 
 const MINUTES: u64 = 3;
 
-/// The number of weakenings that are tried in files without changes.
+/// The number of weakenings that are tried in files that have not changed since `KAHAN_BASE`.
 const OTHERS: usize = 4;
 
 fn every() -> impl Iterator<Item = &'static Weakening> {
@@ -54,7 +54,7 @@ fn copy_workspace() {
     if found {
         return update(root(), &folder());
     }
-    // The copy gets its final name last, so that no interrupted copy has this name.
+    // Rename the finished copy last, so that an interrupted copy is not used.
     let begun = made.with_extension("begun");
     let builds = builds();
     copy(root(), &begun.join("workspace"), &|path| !is_left_out(path));
@@ -194,7 +194,7 @@ fn hash(commit: &str, name: &str) -> u64 {
 /// Tries weakenings, grouped by their tests. Panics if a weakening makes no test fail.
 fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     copy_workspace();
-    // Weakenings of the front end come last, because they recompile most crates.
+    // Weakenings of `kahan-algebra` come last, because cargo compiles most crates again for each.
     let mut chosen = chosen.to_vec();
     chosen.sort_by_key(|weakening| weakening.file.starts_with("crates/kahan-algebra/"));
     let mut commands: Vec<&str> = Vec::new();

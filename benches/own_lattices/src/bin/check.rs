@@ -1,5 +1,5 @@
-//! Checks every lattice against Kahan's map of a field that is written independently. There, dense
-//! elimination solves the linear system.
+//! Compares every lattice with Kahan's map of a separately written field. That map solves its
+//! linear system by dense elimination.
 use kahan_bench_own_lattices::*;
 use kahan_core::prelude::*;
 

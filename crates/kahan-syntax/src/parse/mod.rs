@@ -24,14 +24,13 @@ pub use formula::{parse_formula, parse_formulas};
 pub(crate) use mistakes::{is_function, is_statement};
 pub(crate) use number::product;
 
-/// The result of a parsing function, which is syntax or the first mistake.
 type Parsed<T> = Result<T, Diagnostic>;
 
 fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Parsed<T> {
     Err(Diagnostic::new(kind, span, message, help))
 }
 
-/// Returns whether a block begins with `lift`, and is to be read by [`parse_lifted`].
+/// Returns whether a block begins with `lift`. [`parse_lifted`] reads such a block.
 #[must_use]
 pub fn asks_for_lift(tokens: &[Token]) -> bool {
     let mut diagnostics = Diagnostics::default();
@@ -41,7 +40,7 @@ pub fn asks_for_lift(tokens: &[Token]) -> bool {
     block.lift.is_some()
 }
 
-/// Reads a block; a request for a lift is reported as a mistake.
+/// Reads a block. The keyword `lift` at its beginning is reported as a mistake.
 #[must_use]
 pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -83,7 +82,7 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<Fo
     block
 }
 
-/// Reports claims that use constants with function calls, because claims must be rational.
+/// Reports claims that use a constant that is not rational, because claims must be rational.
 fn refuse_functions_in_claims(block: &Block<FormulaSyntax>, diagnostics: &mut Diagnostics) {
     let mut functions: Vec<&str> = Vec::new();
     for constant in &block.constants {

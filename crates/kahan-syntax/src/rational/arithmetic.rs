@@ -38,7 +38,7 @@ impl Rational {
         {
             return Some(Self::from_reduced(i128::from(num), i128::from(den)));
         }
-        // Powers of coprime numbers are coprime.
+        // Powers of coprime numbers are coprime, so the new fraction needs no gcd.
         let (num, den) = (Pow::pow(base.numerator(), exponent), Pow::pow(base.denominator(), exponent));
         Some(Self::from_normal(BigRational::new_raw(num, den)))
     }
@@ -58,8 +58,8 @@ impl Rational {
             } else {
                 i128::from(*b) / i128::from(gcd(*b as u64, *d as u64)) * i128::from(*d)
             };
-            // For a/b and c/d in lowest terms, gcd(a, c)/lcm(b, d) is in lowest terms: a prime that
-            // divides the lcm divides b or d, and hence not both a and c.
+            // The fraction gcd(a, c)/lcm(b, d) is in lowest terms, because a prime factor of b does
+            // not divide a, and a prime factor of d does not divide c.
             return Self::from_reduced(i128::from(num), den);
         }
         let num = num_integer::Integer::gcd(&self.numerator(), &other.numerator());
@@ -73,7 +73,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(i128::from(a) + i128::from(c), 1);
     }
     if (b as u64).is_power_of_two() && (d as u64).is_power_of_two() {
-        // If both denominators are powers of two, shifts reduce the sum, without a gcd.
+        // Both denominators are powers of two, so the larger one is the common denominator.
         let (den, (a, c)) = (b.max(d), (i128::from(a), i128::from(c)));
         let num = (a << (den / b).trailing_zeros()) + (c << (den / d).trailing_zeros());
         let cancels = num.trailing_zeros().min(den.trailing_zeros());
@@ -85,7 +85,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(num, i128::from(b) * i128::from(d));
     }
     let num = i128::from(a) * i128::from(d / common) + i128::from(c) * i128::from(b / common);
-    // Only a divisor of `common`, the gcd of both denominators, can still cancel.
+    // A common divisor of `num` and lcm(b, d) divides `common`, which is gcd(b, d).
     let cancels = gcd((num % i128::from(common)).unsigned_abs() as u64, common as u64) as i64;
     Rational::from_reduced(num / i128::from(cancels), i128::from(b / common) * i128::from(d / cancels))
 }

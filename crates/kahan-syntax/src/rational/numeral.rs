@@ -1,7 +1,7 @@
-//! Splits a number at the start of a text into its parts.
+//! Reads a number at the start of a text.
 
-/// The parts of a number in a text. A number ends where Rust's does: in `1..2` and `1.x`, the
-/// number is `1`.
+/// A number at the start of a text, split into its parts. As in Rust, `1..2` and `1.x` begin with
+/// the number `1`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Numeral<'a> {
     pub(crate) whole: &'a str,

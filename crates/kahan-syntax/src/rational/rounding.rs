@@ -25,13 +25,13 @@ impl Rational {
     pub fn to_f64(&self) -> f64 {
         const EXACT: u64 = 1 << 53;
         match &self.0 {
-            // `num` and `den` are exact and the quotient is normal, so division rounds correctly.
+            // Both numbers are exact in `f64`, so the division rounds correctly.
             Repr::Small { num, den } if num.unsigned_abs() <= EXACT && *den as u64 <= EXACT => {
                 *num as f64 / *den as f64
             }
             _ => {
                 let magnitude = match self.dyadic() {
-                    // The result is normal, and only the conversion of the numerator rounds.
+                    // Scaling by the power of two is exact here, so only the conversion rounds.
                     Some((num, shift @ 0..=1022)) => num as f64 * f64::from_bits((1023 - shift) << 52),
                     _ => f64::from_bits(round_bits(&self.magnitude(), BINARY64)),
                 };
@@ -97,8 +97,7 @@ pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64
         return infinity;
     }
 
-    // Write num/den = significand · 2^last_place. Below the normal range, results lose digits
-    // gradually.
+    // Results below the normal range keep the smallest exponent, and have fewer digits.
     let binade = exponent.max(format.min_exponent);
     let last_place = binade - (format.precision - 1);
     let (scaled_num, scaled_den) = scale(num, den, last_place);
@@ -108,7 +107,7 @@ pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64
     if twice > scaled_den || (twice == scaled_den && significand % 2 == 1) {
         significand += 1;
     }
-    // The hidden bit adds 1 to the exponent field, and so does a carry from rounding.
+    // The hidden bit in `significand` adds 1 to the exponent field, and a carry adds another 1.
     (((binade - format.min_exponent) as u64) << (format.precision - 1)) + significand
 }
 

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// A condition fixes a value, so it contains `=` instead of a comparison.
+// A condition must be an equation, not a comparison.
 kahan! {
     pub struct Comparison { k }
     xdot = k*y;
@@ -35,7 +35,7 @@ kahan! {
     integral H = x^2 + y^2 when k = m, m = l, k*m = l*m;
 }
 
-// A relation after `when` must be solved for one of its names.
+// A relation after `when` must contain a name linearly, so that it can be solved for this name.
 kahan! {
     pub struct NoLinearName { k, l }
     xdot = k*y;
@@ -67,7 +67,7 @@ kahan! {
     integral H = x^2 + y^2 when omgea = 1;
 }
 
-// A product is 0, but the vanishing factor is not determined.
+// The condition sets a product to 0, but does not say which factor is 0.
 kahan! {
     pub struct Product { k, l }
     xdot = k*y;

@@ -39,7 +39,7 @@ kahan! {
     drift F = 1/x by 1/((F + 1)^2 - F^2 - 2*F - 1);
 }
 
-// The claim is false: F = -1/x has the opposite sign.
+// The claim is false, because the next value of F = 1/x is F - 2*eps.
 kahan! {
     pub struct ByTheWrongSign;
     xdot = x^2;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// Powers in claims are limited to 64, so that the proof stays quick.
+// Exponents in claims are at most 64, so that the proof stays quick.
 kahan! {
     pub struct ClaimTooHigh;
     xdot = y;
@@ -34,7 +34,7 @@ kahan! {
     xdot = -k^-1*x;
 }
 
-// Powers of parameters are expanded, so they are limited.
+// Exponents of parameters are at most 64, because their powers are expanded.
 kahan! {
     pub struct ParameterTooHigh { k }
     xdot = -k^65*x;

@@ -29,7 +29,7 @@ kahan! {
     bracket P { {x,y} = y; {y,z} = y; {z,x} = x; }
 }
 
-// The claim is trivial.
+// The claimed integral is a constant.
 kahan! {
     pub struct Constant;
     xdot = -x^2;
@@ -56,7 +56,7 @@ kahan! {
     density rho = 1;
 }
 
-// The claim is undefined at every point, as its evaluation shows.
+// The divisor of the claim is 0 after its expansion.
 kahan! {
     pub struct DivisionByZeroAfterExpansion;
     xdot = -x^2;

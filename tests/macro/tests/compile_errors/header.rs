@@ -20,7 +20,7 @@ kahan! {
     xdot = -x;
 }
 
-// Parameters become named fields of a struct.
+// A parameter becomes a field of a struct, so its name cannot be a keyword of Rust.
 kahan! {
     pub struct ParameterIsAKeyword { type }
     xdot = -type*x;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// A claim needs a field.
+// The block has a claim, but no equations.
 kahan! {
     pub struct ClaimWithoutAField;
     integral H = 1;
@@ -52,7 +52,7 @@ kahan! {
     epsdot = -eps;
 }
 
-// Coefficients must be even in the half time step, and finite at 0.
+// The coefficients of a field must be even functions of `eps`, and finite at `eps = 0`.
 kahan! {
     pub struct OddPowersOfTheHalfStep;
     xdot = y - eps^2*x;

@@ -45,7 +45,7 @@ kahan! {
     ydot = -sin(x);
 }
 
-// A product in mathematical notation is a call in Rust.
+// In Rust, `k(x + 1)` is a function call, not a product.
 kahan! {
     pub struct UnknownFunction { k }
     xdot = k(x + 1);

@@ -20,7 +20,7 @@ kahan! {
     xdot = x**2;
 }
 
-// A constant state is written `xdot = 0;`.
+// The right-hand side is empty. A constant state needs `xdot = 0;`.
 kahan! {
     pub struct EmptyRightHandSide;
     xdot = ;
@@ -82,7 +82,7 @@ kahan! {
     xdot = 1 + 3 x;
 }
 
-// The product `2x` is one token without `*`.
+// The text `2x` is one token. The product is written `2*x`.
 kahan! {
     pub struct NumberBesideName;
     xdot = 1 + 2x;

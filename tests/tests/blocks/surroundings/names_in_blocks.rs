@@ -47,7 +47,7 @@ kahan! {
     ydot = prepared*x^2;
 }
 
-/// A module for the type `x`, which has the name of an argument of generated functions.
+/// A module for the unit struct `x`, because no variable can be named `x` beside it.
 #[allow(non_camel_case_types, reason = "a name to be in the way")]
 pub(super) mod argument {
     kahan_core::kahan! {

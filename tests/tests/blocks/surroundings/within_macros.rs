@@ -29,7 +29,7 @@ mod in_one_piece {
     }
 }
 
-/// Defines a map from an expression and a name of the caller, and makes a step.
+/// Defines a map with the rate `$rate`, and makes a step from `$x`.
 macro_rules! decay {
     ($rate:ident, $x:expr) => {{
         let x = $x;

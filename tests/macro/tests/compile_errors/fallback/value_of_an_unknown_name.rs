@@ -1,4 +1,4 @@
-//! Undeclared names take the values of variables around the block; rustc reports a missing one.
+//! Undeclared names are variables around the block. Here rustc does not find such a variable.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A block without a header needs names instead of paths.
+//! A value in a block without a header must be a plain name, not a field such as `self.mu`.
 
 use kahan_core::prelude::*;
 

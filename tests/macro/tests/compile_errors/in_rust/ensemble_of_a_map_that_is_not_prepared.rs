@@ -1,4 +1,4 @@
-//! The map is not prepared, so it has no ε.
+//! The map was not prepared by `at`, so its time step is not known.
 
 use kahan_core::prelude::*;
 

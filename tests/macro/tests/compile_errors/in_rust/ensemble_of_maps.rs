@@ -1,4 +1,4 @@
-//! Each trajectory has a map, but the maps have no ε.
+//! Each trajectory has a map, but `at` was not called, so the time steps are not known.
 
 use kahan_core::prelude::*;
 

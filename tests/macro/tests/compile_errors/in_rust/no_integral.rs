@@ -1,4 +1,4 @@
-//! A system without integrals has no accessor.
+//! The method `integrals` needs a system that declares an integral.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Mistakes in the place of the keyword `lift`.
+//! The keyword `lift` stands in wrong places.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! No lift is found within the macro's limit. The error names a command to use instead.
+//! The macro's search for a lift reaches its limit. The error names a command to use instead.
 
 use kahan_core::prelude::*;
 
