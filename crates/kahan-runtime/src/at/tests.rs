@@ -151,7 +151,7 @@ where
     Box::new(At { orbit, point })
 }
 
-/// Compares all schemes at several points and several ε, including 0.
+/// Compares all schemes at five ε, including 0, from two of four points each.
 fn agree<M, const N: usize>(command: &str, parameters: &[&str], exact: &M)
 where
     M: ExtendScalars<BigRational, N, Extended<f32>: 'static, Extended<f64>: 'static, Extended<Dd>: 'static>,
@@ -163,8 +163,8 @@ where
     let names = field.parameters().to_vec();
     let map = field.with(names.iter().zip(&parameters)).expect("a map");
     let starts = [["3/7", "-0.4", "1.1"], ["0", "1", "0"], ["12.3", "1e-3", "-7"], ["1e200", "1", "-1e160"]];
-    for eps in ["0.05", "-1/3", "1e-30", "1e30", "0"] {
-        for start in &starts {
+    for (k, eps) in ["0.05", "-1/3", "1e-30", "1e30", "0"].into_iter().enumerate() {
+        for start in starts.iter().cycle().skip(k).take(2) {
             let (eps, start): (Rational, Vec<Rational>) = (q(eps), start[..N].iter().map(|x| q(x)).collect());
             for scheme in Scheme::all() {
                 let mut orbits = read(&map, scheme, &eps, &start);
@@ -350,21 +350,21 @@ fn columns_of_eliminated_fields_are_their_orbits() {
         let field = dense(n, percent, ["1/64", "p"], &mut random);
         let map = field.with([("p", 0.75)]).expect("its parameter");
         let number = |random: &mut SplitMix64| (below(2001, random) as f64 - 1000.0) / 1024.0;
-        for eps in [0.01, 0.7, 30.0] {
+        for eps in [0.01, 30.0] {
             let at = map.at(eps);
             let mut columns: Vec<Vec<f64>> =
-                (0..n).map(|_| (0..21).map(|_| number(&mut random)).collect()).collect();
+                (0..n).map(|_| (0..11).map(|_| number(&mut random)).collect()).collect();
             columns[0][3] = 1e200;
             columns[0][4] = f64::NAN;
             let start = columns.clone();
-            let own_eps: Vec<f64> = (0..21).map(|k| eps * (1.0 + f64::from(k))).collect();
-            let own: Vec<f64> = (0..21).map(|k| 0.5 + f64::from(k)).collect();
+            let own_eps: Vec<f64> = (0..11).map(|k| eps * (1.0 + f64::from(k))).collect();
+            let own: Vec<f64> = (0..11).map(|k| 0.5 + f64::from(k)).collect();
             for (eps_of, own) in [(&[][..], &[][..]), (&own_eps, &own)] {
                 let mut columns = start.clone();
                 let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
                 let parameters: &[&[f64]] = if own.is_empty() { &[] } else { &[own] };
                 at.advance_columns(&mut slices, eps_of, parameters, 70).expect("a column a variable");
-                for k in 0..21 {
+                for k in 0..11 {
                     let map =
                         field.with([("p", own.get(k).copied().unwrap_or(0.75))]).expect("its parameter");
                     let alone = map.at(eps_of.get(k).copied().unwrap_or(eps));
