@@ -23,12 +23,12 @@ struct Clock {
     hand: SVector<f64, 2>,
 }
 
-/// Returns the first time at which the first entry of a state is zero.
+/// Returns the time of the first zero of `x[0]` on the orbit from `start`, if there is one.
 fn zero<M: Step<Scalar = f64>>(map: M, start: M::State) -> Option<f64> {
     first_crossing(map, start, 100_000, |x| x[0]).map(|crossing| crossing.time)
 }
 
-/// Prints and returns, for each map, when the first position is zero. The exact time is π/2.
+/// Prints and returns four computed times of the first zero of a position; the exact time is π/2.
 pub(crate) fn run() -> [f64; 4] {
     let eps = 0.01; // half the time step
     let clock = Clock { spring: Spring.at(eps), hand: vector![1.0, 0.0] };

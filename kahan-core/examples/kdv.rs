@@ -65,7 +65,7 @@ fn kept(chain: &mut LatticeAt<Kdv<f64>, f64>, u: &[f64]) -> [f64; 4] {
     [chain.integrals(u)[0], momentum, chain.hamiltonian(u), chain.modified_energy(u)]
 }
 
-/// Returns how far the least-squares line through evenly spaced values rises from end to end.
+/// Returns the rise of the least-squares line through equally spaced values, from first to last.
 fn trend(values: &[f64]) -> f64 {
     let middle = (values.len() - 1) as f64 / 2.0;
     let place = |k: usize| k as f64 - middle;

@@ -15,7 +15,6 @@ kahan! {
 /// Prints and returns the results of `step` and `try_step` at several ε.
 pub(crate) fn run() -> Vec<(f64, Result<f64, SingularStep>)> {
     let x = vector![5.0];
-    // The cases lie before the pole, very near it, behind it, and on it.
     let cases = [(0.05, x), (0.09, x), (0.099_999_999, x), (0.1, x), (0.12, x), (0.125, vector![4.0])];
     let mut answers = Vec::new();
     for (eps, x) in cases {

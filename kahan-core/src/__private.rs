@@ -66,8 +66,8 @@ pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Stores a result. For scalars other than floats this is a call, because generated functions have
-/// up to thousands of stores, which, if inlined, would take minutes to compile.
+/// Stores a result. For scalars other than floats the store is not inlined: thousands of inlined
+/// stores in one function would take minutes to compile.
 #[inline(always)]
 pub fn put<T: Scalar>(place: &mut T, result: T) {
     #[inline(never)]
@@ -77,8 +77,8 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions named like the arguments of generated methods. Generated code imports these functions
-/// to hide user constants: a constant `x` would turn the argument `x` into a pattern.
+/// Functions with the names of arguments of generated methods. Their import hides a user's
+/// constants: a constant `x` would turn the argument `x` into a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}
@@ -93,7 +93,7 @@ pub mod arguments {
     pub fn s() {}
 }
 
-/// Returns whether a step may divide by ε. Plain `f64` steps may if |ε| is from 2⁻⁸⁴ to 2⁶⁴.
+/// Returns whether a step may divide by ε. This depends on the scalar and on |ε|.
 pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     crate::scalar::tuning::may_divide_by(eps)
 }

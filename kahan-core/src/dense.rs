@@ -75,7 +75,7 @@ pub struct Workspace<T> {
     /// The matrix A(x,ε) column by column, followed by f(x).
     columns: Vec<T>,
     factors: Vec<T>,
-    /// Pivots with an elimination factor above `LARGEST_FACTOR`; their rows are tested at the end.
+    /// Pivots with an elimination factor above `LARGEST_FACTOR`.
     suspects: Vec<usize>,
 }
 
@@ -174,7 +174,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
-    /// Returns register indices as a plain range, because loops over `step_by` may not be inlined.
+    /// Returns a plain range, because compilers do not always inline `step_by`.
     #[inline(always)]
     fn registers(self, start: usize, end: usize) -> Range<usize> {
         start / L::WIDTH..end / L::WIDTH
@@ -218,7 +218,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         }
     }
 
-    /// Adds the products xⱼxₖ with k ≥ j to f and f′, for the W variables xⱼ from j = `first` on.
+    /// Adds the terms with xⱼxₖ, k ≥ j, to f and f′, for W successive indices j from `first` on.
     #[inline(always)]
     fn block<const W: usize>(
         self,
@@ -274,7 +274,8 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
-    /// Solves for the last column in place. Returns `false` if a pivot is 0 or too small.
+    /// Solves the linear system whose right-hand side is the last column, in place. Returns `false`
+    /// if a pivot is 0 or too small.
     #[inline(always)]
     fn eliminate(self, workspace: &mut Workspace<T>) -> bool {
         let Workspace { columns, factors, suspects } = workspace;

@@ -1,5 +1,5 @@
-//! Sparse LU elimination over floats by panels (supernodes): consecutive rows with equal columns to
-//! the right of the panel. SIMD lanes reduce these rows together.
+//! Sparse LU elimination over floats by panels (supernodes). A panel is a block of consecutive rows
+//! with entries in the same columns to its right. SIMD lanes reduce these rows together.
 //!
 //! The order of operations, and therefore the bits, are those of [`Couplings::factor`]. On
 //! supernodes see J. W. H. Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993)
@@ -21,7 +21,7 @@ const MOST_ROWS: usize = 32;
 const ROWS_TOGETHER: usize = 4;
 /// The maximum number of pivot rows that are subtracted from rows at once.
 const MAX_PIVOTS_TOGETHER: usize = 16;
-/// A panel reduces rows one pivot at a time only if it has at most this number of pivots.
+/// The maximum number of pivots of a panel whose pivots are applied one at a time.
 const MAX_SINGLE_PIVOTS: usize = 4;
 /// From this number of columns on, loops over lanes save time.
 const MIN_LANE_COLUMNS: u32 = 4;
@@ -38,8 +38,8 @@ pub struct Supernodes {
     lists: Vec<u32>,
 }
 
-/// Consecutive rows with entries in equal columns to the right of these rows' diagonal block. The
-/// panel's columns are the union of the columns of these rows.
+/// Consecutive rows that have entries in the same columns to the right of their diagonal block. The
+/// panel's columns are all columns in which one of these rows has an entry.
 #[derive(Clone, Debug)]
 struct Panel {
     rows: Range<usize>,
@@ -47,7 +47,7 @@ struct Panel {
     reductions: Range<usize>,
 }
 
-/// The reduction of a panel's rows by the pivots of one panel.
+/// The reduction of one panel's rows by the pivots of an earlier panel or of the panel itself.
 #[derive(Clone, Debug)]
 struct PanelReduction {
     /// The index of the row after the last pivot.
@@ -56,8 +56,8 @@ struct PanelReduction {
     behind: usize,
     tasks: Range<usize>,
     runs: Range<usize>,
-    /// If rows are reduced one pivot at a time, `lists` has the columns after the last pivot from
-    /// this index on. Otherwise `None`.
+    /// The index in `lists` of the first column after the last pivot, if rows are reduced one pivot
+    /// at a time.
     list: Option<usize>,
 }
 
@@ -75,7 +75,7 @@ struct RowReduction {
 /// A range of panel columns in which a pivot row has entries.
 #[derive(Clone, Debug)]
 struct ColumnRun {
-    /// In a pivot row, the number of entries between the last pivot's column and this range.
+    /// In a pivot row, the number of entries after the last pivot's column and before this range.
     before: u32,
     column: u32,
     length: u32,
@@ -128,8 +128,8 @@ impl Supernodes {
         all
     }
 
-    /// Appends a panel of these rows. `panel_of` maps each row, up to the last of `rows`, to its
-    /// panel. `places` is scratch memory.
+    /// Appends the panel that consists of `rows`. `panel_of[r]` is the panel of row r, for all rows
+    /// up to the last of `rows`. `places` is scratch memory.
     fn push(
         &mut self,
         couplings: &Couplings<'_>,
@@ -224,8 +224,8 @@ impl Supernodes {
         begin..self.tasks.len()
     }
 
-    /// Appends the joint reduction of `ROWS_TOGETHER` rows by the pivots before `end`. A pivot that
-    /// reduces only some of these rows is applied to each of them separately.
+    /// Appends the joint reduction of `ROWS_TOGETHER` rows by the pivots before `end`. `firsts` has
+    /// the first pivot of each row. Pivots of only some of the rows are applied separately.
     fn push_together(&mut self, rows: [usize; ROWS_TOGETHER], firsts: [usize; ROWS_TOGETHER], end: usize) {
         let first = firsts.into_iter().fold(0, usize::max).min(end);
         for (r, own) in rows.into_iter().zip(firsts) {
@@ -259,7 +259,7 @@ impl Supernodes {
     /// or too small; the values are then useless.
     ///
     /// With `flushes`, an entry is replaced by 0 if it is below [`InLanes::NEGLIGIBLE`] times the
-    /// largest off-diagonal entry of A, both in its row and in its column. Without `flushes`,
+    /// largest off-diagonal entry of its row of A, and likewise of its column. Without `flushes`,
     /// factors of distant variables can become subnormal, which is slow.
     #[must_use]
     pub fn factor<T: InLanes>(
@@ -480,7 +480,7 @@ impl<T: InLanes> PanelWork<'_, T> {
             let [diagonal, _] = self.pivot(first + k);
             self.workspace.uppers[k] = diagonal + count - k;
         }
-        // Each pivot row has entries in the columns of all later pivots of this reduction.
+        // Each pivot row has entries in the columns of the `left` later pivots.
         let left = reduction.end - end;
         let column = reduction.behind - left;
         for r in 0..R {
@@ -504,8 +504,8 @@ impl<T: InLanes> PanelWork<'_, T> {
         }
     }
 
-    /// Returns the factor of a row for a pivot, and reduces the row's columns before `end`. Returns
-    /// `None` if the pivot is too small.
+    /// Subtracts a multiple of a pivot row from a row, in the columns before `end`. Returns the
+    /// multiplier, or `None` if the pivot is too small.
     #[inline(always)]
     fn factor(&mut self, row: usize, place: usize, pivot: usize, end: usize) -> Option<T> {
         let [diagonal, behind] = self.pivot(pivot);

@@ -15,7 +15,7 @@ kahan! {
     xdot = 1 + x^2;
 }
 
-/// Returns the time at a fraction of the path, 3/2 + 3/2 exp(iθ) with θ from π to 0.
+/// Returns 3/2 + 3/2·exp(iθ). As `fraction` grows from 0 to 1, θ falls from π to 0.
 fn time(fraction: f64) -> nalgebra::Complex<f64> {
     let (sine, cosine) = (std::f64::consts::PI * (1.0 - fraction)).sin_cos();
     nalgebra::Complex::new(1.5 + 1.5 * cosine, 1.5 * sine)

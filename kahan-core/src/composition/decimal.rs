@@ -45,7 +45,7 @@ pub(super) struct Decimal {
 }
 
 impl Decimal {
-    /// Parses an optional sign, digits, a point and 40 digits.
+    /// Parses an optional sign, an integer part, a point and 40 decimal places.
     pub(super) const fn read(text: &str) -> Self {
         let text = text.as_bytes();
         let negative = text[0] == b'-';
@@ -80,8 +80,8 @@ impl Decimal {
     }
 }
 
-/// Rounds the number `part`/10⁴⁰, which is from 0 to 2, to `bits` bits. Returns the float, the
-/// remainder, and the value of the float's last bit.
+/// Rounds `part`/10⁴⁰, a number from 0 to 2, to a float of `bits` bits. Returns the float, the
+/// remainder below its last place, and one unit in the last place.
 const fn nearest(part: Integer256, bits: u32) -> (f64, Integer256, f64) {
     let (mut rest, mut unit) = (part, 1.0);
     while rest.is_less_than(UNIT) {

@@ -23,8 +23,9 @@ pub(crate) use stages::Staged;
 /// - **Reversibility**: the inverse of a composition is the composition with −ε.
 /// - **Affine equivariance** and **linear integrals**, as for Kahan's map.
 /// - **Integrals and invariant measures that do not depend on ε**: in the catalog
-///   `kahan-systems`, the systems E1 and E3 have the integral y/x, and E2, E4, E5 and E6 the ratio
-///   H/K of their integrals H and K. The Euler top has (1 − H)/(1 − 1/K).
+///   `kahan-systems`, the systems E1 and E3 have the integral y/x. E2, E4, E5, E6 and the Euler top
+///   have integrals H and K that depend on ε. Independent of ε are H/K and, for the Euler top,
+///   (1 − H)/(1 − 1/K).
 ///
 /// # Properties that a composition loses
 /// - **Integrals and measures that depend on ε**: the composition conserves none of these. In a

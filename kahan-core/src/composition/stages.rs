@@ -18,7 +18,8 @@ pub(crate) trait Staged<T: Scalar, const N: usize>:
 
     fn in_order<'a, P: 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P>;
 
-    /// Applies `of` to the k-th stages of the maps, for every k. `None` if the compositions differ.
+    /// For every k, calls the function `of` with the k-th stages of all maps in `each`. Returns
+    /// `None` if the compositions of the maps differ.
     #[cfg(feature = "std")]
     fn zip_stages<P, const W: usize>(
         each: [&Self; W],

@@ -15,9 +15,9 @@ pub const fn points<T: InLanes>() -> usize {
     T::MOST
 }
 
-/// Replaces each of [`points`] points x by A(x,ε)⁻¹f(x). Entry i of point p has the index
-/// i·[`points`] + p. If |`growth[p]`| exceeds [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR),
-/// a pivot of point p is too small. Zero pivots give infinities or NaNs.
+/// Replaces x by A(x,ε)⁻¹f(x) for [`points`] vectors x. Entry i of point p has the index
+/// i·[`points`] + p. The result of point p is unreliable if |`growth[p]`| exceeds
+/// [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR). Zero pivots give infinities or NaNs.
 pub fn velocities<T: InLanes>(
     packed: &[T],
     x: &mut [T],
@@ -117,7 +117,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
         growth
     }
 
-    /// In column j, reduces W entries, from row `first` on, by all earlier pivot rows.
+    /// Subtracts multiples of earlier pivot rows from W entries of column j, from row `first` on.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {

@@ -20,14 +20,14 @@ use super::{Ensemble, EnsembleScalar};
     note = "a point has one entry for each equation: give `Ensemble::grid` as many axes, `Ensemble::new` such vectors"
 )]
 pub trait Advances<T: EnsembleScalar, const N: usize> {
-    /// Returns the number of trajectories that the maps serve, or `None` for any number.
+    /// Returns the number of maps, one per trajectory, or `None` if all trajectories have one map.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None
     }
 
-    /// Advances columns of equal length; `first` is the index of their first group in the ensemble.
-    /// If a map meets a pole and 1/0 has no value in T, the error is the ε of this map.
+    /// Advances columns of equal length. The index of their first `Group` in the ensemble is
+    /// `first`. If a map meets a pole and T has no infinity, the error is the ε of this map.
     #[doc(hidden)]
     fn advance(
         &self,
@@ -147,9 +147,9 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Splits the columns over threads if this saves time, otherwise calls `work` once. `work` also
-/// gets the index of the first group of its columns. `join` combines the results of neighbouring
-/// ranges in order.
+/// Splits the groups of the columns into ranges for threads, if this saves time. Calls `work` with
+/// each range and with the index of its first group. Results of neighbouring ranges are combined by
+/// `join`.
 pub(crate) fn divide<T, R, const N: usize>(
     first: usize,
     columns: ColumnSlices<'_, T, N>,

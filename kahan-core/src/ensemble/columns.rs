@@ -17,8 +17,8 @@ const CACHE_LINE: usize = 64;
 
 /// N columns of equal length in one allocation.
 ///
-/// Columns are an odd number of groups apart. Therefore equal indices of 32 successive columns lie
-/// in different sets of the first-level cache.
+/// Column starts are an odd number of groups apart. Therefore the entries with index i of 32
+/// successive columns lie in different sets of the first-level cache.
 pub(crate) struct Columns<T, const N: usize> {
     entries: Vec<T>,
     /// The index of the first entry, which lies at the start of a cache line.
@@ -38,7 +38,6 @@ impl<T: Copy, const N: usize> Columns<T, N> {
         let mut entries: Vec<T> = Vec::with_capacity(N * stride + skipped_at_most);
         let start = match entries.as_ptr().align_offset(CACHE_LINE) {
             start if start <= skipped_at_most => start,
-            // If alignment is impossible, loads are slower, but results are equal.
             _ => 0,
         };
         entries.resize(start, entry(0, 0));

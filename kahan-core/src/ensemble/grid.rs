@@ -54,7 +54,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     pub fn grid(axes: [Axis<T>; N]) -> Self {
         let len = axes.iter().try_fold(1_usize, |len, axis| len.checked_mul(axis.count));
         let Some(len) = len else { panic!("a grid of more points than memory can hold") };
-        // Along axis c, `runs[c]` consecutive points have equal values.
+        // Variable c has the same value at `runs[c]` consecutive points.
         let runs: [usize; N] = from_fn(|c| axes[c + 1..].iter().map(|axis| axis.count).product());
         Self::from_columns(Columns::new(len, |i, c| axes[c].value(i / runs[c] % axes[c].count)))
     }

@@ -1,6 +1,6 @@
 //! SIMD lanes: several numbers in one register, used as one scalar.
 //!
-//! Work that is generic over the lane type is compiled for an instruction set and run with it. For
+//! A computation that is generic over the lane type is compiled once for each instruction set. For
 //! a scalar without vector registers, a register has a single lane.
 
 use super::EnsembleScalar;
@@ -100,8 +100,8 @@ pub trait InLanes: EnsembleScalar {
     /// The number of numbers in a 256-bit register. Dense columns have a multiple of this height.
     const ROWS: usize = Self::MOST / 2;
 
-    /// A fraction whose square does not underflow. An entry below this fraction of the largest
-    /// entries of its row and of its column changes no bit of the solution.
+    /// A matrix entry is negligible if it is below this fraction of the largest entry, both in its
+    /// row and in its column. The square of this fraction does not underflow.
     const NEGLIGIBLE: Self;
 
     /// Runs work with the instruction set `level`, or with the baseline if the processor lacks it.

@@ -68,7 +68,6 @@ where
     S: Staged<T, N>,
     T: EnsembleScalar,
 {
-    /// Advances the columns. The error is the ε of a map that met a pole.
     fn advance(mut self, on: Instructions) -> Result<(), T> {
         if S::zip_stages(self.maps, |_| ()).is_none() {
             return self.in_turn(on);
@@ -90,8 +89,8 @@ where
         Ok(())
     }
 
-    /// Advances one trajectory after another, because their maps have different compositions. Each
-    /// is copied into all lanes; a lane's bits do not depend on the other lanes.
+    /// Advances one trajectory after another, because the maps have different compositions. The
+    /// trajectory and its map fill all lanes.
     fn in_turn(self, on: Instructions) -> Result<(), T> {
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {

@@ -88,8 +88,8 @@ impl Couplings<'_> {
         has_pivots && !is_refused
     }
 
-    /// Replaces A by its LU factors, or returns `false` if a pivot is 0. Before a row is reduced,
-    /// `see` gets the index of the pivot's row, the factor, and the present entries of A.
+    /// Replaces A by its LU factors, or returns `false` if a pivot is 0. Before each subtraction of
+    /// a row, `see` gets the row's index, the factor, and the partly eliminated A.
     pub fn eliminate<T: Scalar>(
         &self,
         values: &mut [T],
@@ -123,7 +123,7 @@ impl Couplings<'_> {
         !is_singular
     }
 
-    /// Returns the reciprocal pivot of row `turn`, and the row's entries to the right of the pivot.
+    /// Returns the reciprocal pivot of row `turn` in elimination order, and the entries after it.
     pub fn pivot<'a, T>(&self, turn: usize, values: &'a [T]) -> (&'a T, &'a [T]) {
         let row = &self.rows[turn];
         (&values[row.diagonal as usize], &values[row.right()])
@@ -134,7 +134,7 @@ impl Couplings<'_> {
         self.rows.iter().map(|row| &values[row.diagonal as usize])
     }
 
-    /// Solves A·x = b in place from LU factors, in elimination order.
+    /// Solves A·x = b in place, from the LU factors `values`. `b` is in elimination order.
     pub fn solve<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let mut first = 0;
         for end in self.blocks {
@@ -172,7 +172,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// Returns b[i] minus the sum of entry · b[column of the entry] over the entries at `places`.
+    /// Returns b[i] − Σ a·b[j] over the entries a of A at `places`, where j is the column of a.
     #[inline]
     fn reduced<T: Scalar>(&self, places: impl Iterator<Item = usize>, i: usize, values: &[T], b: &[T]) -> T {
         places.fold(b[i].clone(), |sum, place| {

@@ -121,7 +121,6 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
         let toeplitz = toeplitz_column(c, m);
-        // With t = `toeplitz`, coefficient k becomes t_k + old_k + Σ t_{k−j}·old_j over 1 ≤ j < k.
         let old = coefficients;
         coefficients = from_fn(|k| {
             if k > m {
@@ -167,7 +166,7 @@ fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize
     sum
 }
 
-/// Returns the first row with the best pivot in column k, among the rows from k on.
+/// Returns the first row with the best pivot in column k, from row k on; see `is_better_pivot`.
 fn pivot_row<T: Scalar, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> usize {
     (k + 1..N).fold(k, |best, i| if a[(i, k)].is_better_pivot(&a[(best, k)]) { i } else { best })
 }

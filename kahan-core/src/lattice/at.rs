@@ -89,7 +89,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
         Ok(())
     }
 
-    /// Solves A(x,ε)·w = `right`, by default f(x), by eliminating the whole chain.
+    /// Solves A(x,ε)·w = r by eliminating the whole chain; r is `right`, or f(x) for `None`.
     fn solve<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -134,7 +134,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = PromiseCheck::new(&map, &eps, sites * sizes.block);
-        // Constants may overflow T if they have values in the wider range of `try_step`.
+        // Constants that overflow T are an error, unless `try_step` can represent them.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
@@ -166,8 +166,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         &self.eps
     }
 
-    /// Returns how many steps eliminated the whole chain in one piece. In a long chain this happens
-    /// only if a pivot is too small in one of the parts that are otherwise eliminated in parallel.
+    /// Returns how many steps eliminated the whole chain in one piece. Long chains are eliminated
+    /// in parts; a step of a long chain counts only if this failed.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
@@ -206,9 +206,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// of A has k entries, and u is the rounding unit. Steps over exact scalars are exact.
     ///
     /// # Errors
-    /// If the state is a pole, if the state or x̃ is not finite, or if two refinements of the step
-    /// do not reach the bound. For at most 4096 unknowns, an elimination with many digits, which
-    /// allocates, is tried before the last error.
+    /// If the state is a pole, if the state or x̃ is not finite, or if no computed x̃ is within the
+    /// bound. After two refinements of x̃, chains of at most 4096 unknowns try an elimination with
+    /// many digits, which allocates.
     ///
     /// # Panics
     /// If the state has the wrong length.

@@ -24,7 +24,7 @@ pub struct Sizes {
     pub upper: usize,
     /// The number of scratch numbers that `LatticeMap::rows` needs for one site.
     pub registers: usize,
-    /// The number of scratch SIMD registers for the equations of one site in lanes.
+    /// The number of scratch SIMD registers that the equations of one site need.
     pub registers_abreast: usize,
 }
 
@@ -41,8 +41,8 @@ pub struct Sizes {
 /// | `SITES` | 2R + 1, the number of sites in the equations of one site |
 /// | `WIDTH` | `LOWER` + 1 + `UPPER`, the number of entries in a row of the band |
 ///
-/// Row (i, b) of A belongs to array b of site i. Its entry for array b′ of site i + o lies o·B + b′
-/// − b to the right of the diagonal. Wrong values of `SITES` or `WIDTH` do not compile.
+/// Row (i, b) of A belongs to array b of site i. Its entry for array b′ of site i + d lies d·B +
+/// b′ − b columns to the right of the diagonal. Wrong values of `SITES` or `WIDTH` do not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct Stencil<
     const B: usize,

@@ -1,9 +1,9 @@
 //! Solves a banded system, cyclic or not, by one elimination with partial pivoting.
 //!
 //! A cyclic band of half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order
-//! 0, n−1, 1, n−2, …. If a ring is shorter than its band, several entries fall on one row and
-//! column, and are added. To save memory, a solver may keep only some rows of U; back substitution
-//! then eliminates the other rows again.
+//! 0, n−1, 1, n−2, …. If a ring is shorter than its band, entries of the band that have the same
+//! row and column are added. To save memory, a solver may keep only some rows of U; back
+//! substitution then eliminates the other rows again.
 
 use std::vec;
 use std::vec::Vec;
@@ -46,7 +46,7 @@ pub(super) struct FoldedBand<T> {
     window: Vec<T>,
     /// The finished rows of U for `stretch` columns, stored in the layout of `window`.
     done: Vec<T>,
-    /// Copies of `window`, one for the start of each stretch of `stretch` columns.
+    /// Copies of `window`, made before the columns 0, `stretch`, 2·`stretch`, ….
     begun: Vec<T>,
     solution: Vec<T>,
 }
@@ -106,8 +106,8 @@ impl<T: Scalar> FoldedBand<T> {
         }
     }
 
-    /// Solves the system. `write` gets a row's index and a row of zeros, which it fills; this may
-    /// happen twice for one row. Returns `None` if an exact scalar has no nonzero pivot.
+    /// Solves the system. `write` adds the entries of a row to zeros, and may be called twice for a
+    /// row. Returns `None` if an exact scalar has no nonzero pivot.
     pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;
@@ -207,8 +207,8 @@ mod tests {
 
     use super::FoldedBand;
 
-    /// Returns an entry of a band that requires row exchanges, because every third diagonal entry
-    /// is 0.
+    /// Returns an entry of a test matrix. Every third diagonal entry is 0; therefore rows must be
+    /// exchanged.
     fn entry(row: usize, offset: isize) -> f64 {
         if offset == 0 && row % 3 == 1 { 0.0 } else { ((row * 7 + 3) as f64 * 0.1 + offset as f64).sin() }
     }

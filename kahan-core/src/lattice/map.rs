@@ -110,8 +110,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         a: &mut [L],
     );
 
-    /// Calls [`rows`](Self::rows) in SIMD lanes for the next site of `sites`, with P parameters per
-    /// site and C constants. The function must be inlined into a computation over lanes.
+    /// Computes the equations of the next site of `sites` in SIMD lanes. Every caller must inline
+    /// this function, so that the caller's instruction set applies.
     #[doc(hidden)]
     #[inline(always)]
     fn line<L: Lanes<T>, const B: usize, const P: usize, const C: usize, const SITES: usize>(
@@ -143,8 +143,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         Self::INTEGRALS.len()
     }
 
-    /// Computes what one site adds to each integral and to the Hamiltonian, which are sums over all
-    /// sites. The arguments are those of [`rows`](Self::rows).
+    /// Computes the terms of one site. The integrals and the Hamiltonian are the sums of these
+    /// terms over all sites. The arguments are those of [`rows`](Self::rows).
     #[doc(hidden)]
     fn densities<L: Scalar>(&self, _constants: &[L], _x: &[L], _c: &[L], _registers: &mut [L], _s: &mut [L]) {
     }

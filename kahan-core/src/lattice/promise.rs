@@ -1,8 +1,8 @@
 //! The step of a chain with a small backward error.
 //!
 //! A step succeeds if |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i. Row i of A has
-//! k entries, and u is the rounding unit. At most two steps of iterative refinement compute the
-//! residual b − A·x̃ = 2εf − A·(x̃ − x) in wider numbers with error bounds.
+//! k entries, and u is the rounding unit. At most two steps of iterative refinement follow. Wider
+//! numbers with error bounds compute the residual b − A·x̃ as 2εf(x) − A·(x̃ − x).
 
 use core::cell::Cell;
 use std::vec;
@@ -21,9 +21,9 @@ use super::{LatticeMap, LatticeScalar};
 pub(super) const REFINEMENTS: usize = 2;
 
 pub(super) struct PromiseCheck<T: LatticeScalar> {
-    /// The equations over `BoundedWorking`, which is tried first. `None` if a divisor may be 0.
+    /// The equations over `BoundedWorking`, tried first. `None` if a divisor may be 0.
     near: Option<BoundedRows<T::BoundedWorking>>,
-    /// The equations over numbers of unlimited range. `None` if a divisor may be 0.
+    /// The equations over `BoundedWide`, tried after `near`. `None` if a divisor may be 0.
     far: Option<BoundedRows<T::BoundedWide>>,
     /// The largest magnitude among ε and the parameters.
     largest: f64,
@@ -67,7 +67,7 @@ impl<T: LatticeScalar> PromiseCheck<T> {
         }
     }
 
-    /// Returns whether the constants of the equations have values over numbers of unlimited range.
+    /// Returns whether every constant of the equations is known over `BoundedWide`.
     pub(super) fn has_equations(&self) -> bool {
         let has_value = |constant: &T::BoundedWide| !constant.known().1.size.is_unknown();
         self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))

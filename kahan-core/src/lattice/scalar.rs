@@ -57,7 +57,7 @@ pub(super) trait ChainArithmetic: Sized {
 pub(super) trait BoundedScalar<T>: Scalar {
     fn from_input(number: &T) -> Self;
 
-    /// Returns the nearest number of T, and the magnitude and the error bound of the value.
+    /// Returns this value rounded to T, with bounds of its magnitude and of its error.
     fn known(&self) -> (T, KnownBounds<Size>);
 }
 

@@ -40,8 +40,8 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Gathers the neighbourhood of site i. `convert` converts the states, and `given` the
-    /// parameters.
+    /// Gathers the neighbourhood of site i. The functions `convert` and `given` convert states and
+    /// parameters to L.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,

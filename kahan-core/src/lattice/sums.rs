@@ -17,7 +17,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         M::INTEGRALS
     }
 
-    /// Returns the values of the linear integrals, which are proved for every number of sites.
+    /// Returns the values of the linear integrals.
     ///
     /// # Panics
     /// If the state has the wrong length.

@@ -31,8 +31,8 @@ pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     if is_finite(&next) { Ok(next) } else { Err(singular()) }
 }
 
-/// Returns whether a finite increment may be wrong because of an overflow. A denominator that
-/// overflows makes an increment 0, because 1/∞ = 0. If f(x) = 0, an increment of 0 is correct.
+/// Returns whether zeros in a finite increment may come from an overflow. A denominator that
+/// overflows gives 0, because 1/∞ = 0. If f(x) = 0, zeros are correct.
 fn hides_an_overflow<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     quotients: &Quotients<T, N>,

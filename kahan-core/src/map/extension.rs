@@ -34,8 +34,8 @@ pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// Returns J(x)·v, where J is the map's Jacobian and `y` is the next state x̃. Returns `None`
     /// at a pole of an exact scalar.
     ///
-    /// If every zero of det A is a pole, generated code solves A·(ṽ − v) = 2εf′((x + x̃)/2)·v with
-    /// A = I − εf′(x) for ṽ = J(x)·v. Otherwise the step is differentiated, and `y` is unused.
+    /// If det A = 0 only at poles, generated code solves A·(ṽ − v) = 2εf′((x + x̃)/2)·v, where ṽ =
+    /// J(x)·v and A = I − εf′(x). Otherwise generated code differentiates the step and ignores `y`.
     #[doc(hidden)]
     #[inline(always)]
     fn carry_tangent(

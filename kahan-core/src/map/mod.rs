@@ -148,8 +148,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Most fields of up to eight variables use a closed form: x̃ as a reduced fraction, with one
     /// or two divisions. Over floats this form has no branches and never allocates. Away from
     /// poles, the error is of the order of the rounding unit if ‖εf′(x)‖ is not much above 1. Up to
-    /// ‖εf′(x)‖∞ = 1000, or another limit in the documentation of the generated type, the error is
-    /// about that of elimination with pivoting.
+    /// ‖εf′(x)‖∞ = 1000, the error is about as large as after elimination with pivoting. The
+    /// documentation of a generated type may state another limit.
     ///
     /// Some fields have a faster form that divides by ε. This form is used for |ε| from 2⁻⁸⁴ to
     /// 2⁶⁴, in `f32` from 2⁻¹⁶ to 2¹⁶. A map that is too large for a closed form uses sparse
@@ -178,8 +178,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for [`Dd`](crate::Dd). Every call proves the bound by a
     /// running error analysis, in the scalar itself or in wider numbers. Ordinary points get the
     /// bits of [`step`](Self::step) at little more than the cost of a step; `benches/results` has
-    /// the times. Terms that differ by a thousand powers of ten require elimination with up to 256
-    /// × 64 bits. This elimination takes milliseconds, allocates, and needs `std`. In unoptimised
+    /// the times. If terms of the step differ by factors like 10¹⁰⁰⁰, elimination uses up to 256 ×
+    /// 64 bits. This elimination takes milliseconds, allocates, and needs `std`. In unoptimised
     /// builds wide numbers need stack space that grows with the number of variables.
     ///
     /// In more than eight variables every call instead proves a small componentwise backward error.
@@ -236,8 +236,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
     }
 
-    /// Returns the determinant D(x,ε) = det A(x,ε), which is 0 at every pole. D is also 0 at points
-    /// where the map is defined because a factor of D cancels in x̃.
+    /// Returns the determinant D(x,ε) = det A(x,ε), which is 0 at every pole. If a factor of D
+    /// cancels in x̃, D is also 0 at points where the map is defined.
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.matrix(x, eps))
     }
@@ -256,8 +256,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
     }
 
-    /// Returns numerators and denominator of x̃ as a reduced fraction, without a division. They may
-    /// share a constant factor.
+    /// Returns the numerators and the denominator of x̃. Generated code cancels all common factors
+    /// of these polynomials except constants.
     #[doc(hidden)]
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         self.rational_map(x, eps)

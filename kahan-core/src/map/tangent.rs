@@ -27,7 +27,7 @@ pub(crate) fn push_forward<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: 
     Some(v)
 }
 
-/// Returns the result of [`push_forward`], with a known point `next` after the last stage.
+/// Returns the result of [`push_forward`]. The caller knows `next`, the point after all stages.
 #[inline(always)]
 pub(crate) fn push_forward_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     mut stages: impl Iterator<Item = (&'a M, &'a T)>,

@@ -126,7 +126,7 @@ impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF6
         Some(rounded(&self.0.increment(&widened(x))?))
     }
 
-    /// Adds the increment at x to x + carry in `f64`, and splits the sum into a point and a carry.
+    /// Adds x, the carry and the increment at x in `f64`. Splits the sum into a point and a carry.
     #[inline(always)]
     fn next_with_carry(&self, x: &SVector<f32, N>, carry: &SVector<f32, N>) -> Option<[SVector<f32, N>; 2]> {
         let (x, carry) = (widened(x), widened(carry));

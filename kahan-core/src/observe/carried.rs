@@ -88,8 +88,8 @@ pub trait Indicator<const K: usize> {
     /// The type of the report.
     type Report;
 
-    /// Whether the indicator needs every step. Otherwise it gets all steps up to [`PAUSE`],
-    /// and then each [`PAUSE`]-th.
+    /// Whether the indicator needs lengths at every step. Otherwise it gets lengths at every step
+    /// up to [`PAUSE`], and later at multiples of [`PAUSE`].
     const LOOKS_AT_EACH: bool;
 
     /// Creates the indicator from the squared lengths of the vectors at the first point.
@@ -132,8 +132,8 @@ impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Indica
 /// An observer that need not see every point, because its caller can propagate its tangent vectors
 /// to a later point.
 ///
-/// The observer must see all steps up to [`PAUSE`]. Later, it must see each step that is a power of
-/// two, and each multiple of [`PAUSE`] at which a vector must be [scaled](super::are_moderate).
+/// The observer must see all steps up to [`PAUSE`], and later all steps that are powers of two. It
+/// must also see a multiple of [`PAUSE`] at which a vector needs [scaling](super::are_moderate).
 pub trait SparseObserver<T> {
     /// Returns the number of tangent vectors.
     fn vectors(&mut self) -> usize;
@@ -211,15 +211,15 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
 /// Only a growth by 2⁶⁰ in every step could leave the range of `f64` within this many steps.
 pub const PAUSE: u64 = 16;
 
-/// Returns whether vectors are scaled after every step, because the indicator needs lengths or
-/// because a vector can leave the range of `f32` in a single step.
+/// Returns whether vectors are scaled after every step. The indicator may need lengths at every
+/// step, or a single step may leave the range of `f32`.
 #[inline(always)]
 fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
     I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
 }
 
-/// Propagates the tangent vectors of a group in lanes, until one of them must be scaled. Returns
-/// the number of steps, or `None` if no steps remain or the maps cannot run in lanes.
+/// Propagates the tangent vectors of a group in lanes until a vector must be scaled. Returns the
+/// number of steps taken, or `None` if the group cannot advance in lanes.
 #[cfg(feature = "std")]
 fn follow_side_by_side<I, M, T, P, const K: usize>(
     group: &mut Observers<'_, IndicatorObserver<I, M, K>>,

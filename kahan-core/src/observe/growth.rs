@@ -41,7 +41,7 @@ impl Size {
     /// Returns the natural logarithm of the magnitude.
     pub(super) fn ln(self) -> f64 {
         let (mantissa, exponent) = libm::frexp(self.mantissa.abs());
-        // Near 1 the exponent must be 0; else ln(mantissa) and exponent·ln 2 would cancel.
+        // A number near 1 gets the exponent 0, so that no large logarithms cancel.
         let (mantissa, exponent) =
             if mantissa < FRAC_1_SQRT_2 { (2.0 * mantissa, exponent - 1) } else { (mantissa, exponent) };
         libm::log(mantissa) + (self.exponent + i64::from(exponent)) as f64 * LN_2
@@ -112,7 +112,7 @@ where
     let up = T::constant(&Constant::integer(1 << SCALING_EXPONENT));
     let down = T::one() / up;
     let mut exponent = 0;
-    // This number of scalings spans the range of `f64`, so the loop needs no more.
+    // After this number of scalings, the exponent has changed by more than the range of `f64`.
     for _ in 0..2 * 1100 / SCALING_EXPONENT {
         let squared = square(vector.as_slice());
         if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {

@@ -26,8 +26,8 @@ pub struct Growth {
 pub struct Exponent {
     /// The mean growth rate, NaN without a step.
     pub value: f64,
-    /// The distance of `value` from the mean rate after k of n steps, where n/8 < k ≤ n/4. The
-    /// distance estimates the error, and is no bound. NaN for n < 4.
+    /// An estimate of the error of `value`, not a bound: its distance from the mean rate over the
+    /// first k of n steps. Here k is the power of two with n/8 < k ≤ n/4. NaN for n < 4.
     pub error: f64,
 }
 
@@ -70,7 +70,7 @@ impl Doublings {
         self.0 = [before, last, (step, square)];
     }
 
-    /// Returns the exponent from the first and the last squared length, at this time step.
+    /// Returns the exponent for the squared lengths `first` and `last`, and the time step `time`.
     pub(super) fn exponent(&self, first: Size, last: (u64, Size), time: f64) -> Exponent {
         let rate = |(steps, square): (u64, Size)| 0.5 * (square.ln() - first.ln()) / (steps as f64 * time);
         let value = rate(last);

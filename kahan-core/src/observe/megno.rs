@@ -10,9 +10,9 @@ use super::growth::Size;
 /// Y(n) = (2/n)·Σ k·log(|vₖ|/|vₖ₋₁|), k = 1, …, n.
 ///
 /// The report holds Y(n) and the mean of Y(1), …, Y(n). The mean tends to 2 for quasi-periodic
-/// motion, and to 0 if tangent vectors stay bounded. For chaotic motion the mean grows like λ·εn,
-/// where λ is the largest Lyapunov exponent per unit of time. P. M. Cincotta, C. M. Giordano, C.
-/// Simó, Physica D 182 (2003) 151.
+/// motion, and to 0 if tangent vectors stay bounded. For chaotic motion the mean grows like λt/2,
+/// where t = 2εn is the time and λ is the largest Lyapunov exponent. P. M. Cincotta, C. M.
+/// Giordano, C. Simó, Physica D 182 (2003) 151.
 ///
 /// `Megno::new(&map)` takes a [`TangentMap`]. A step costs a tangent vector and a logarithm.
 pub type Megno<M> = IndicatorObserver<MeanGrowth, M, 1>;

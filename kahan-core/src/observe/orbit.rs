@@ -59,8 +59,8 @@ impl<S: Step> Orbit<S> {
 }
 
 impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
-    /// Returns the first crossing with `level` = 0 within `steps` steps after the next point; see
-    /// [`first_crossing`](super::first_crossing). The orbit continues from the crossing.
+    /// Returns the first zero of the function `level` on this orbit, after at most `steps` steps;
+    /// see [`first_crossing`](super::first_crossing). The orbit continues from the crossing.
     pub fn first_crossing(
         &mut self,
         steps: u64,

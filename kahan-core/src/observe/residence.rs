@@ -28,7 +28,7 @@ use super::Observer;
 pub struct Residence<F, T, V> {
     quantity: F,
     start: f64,
-    /// The number of subintervals per unit of `quantity`.
+    /// The reciprocal of the width of a subinterval.
     parts_to_unit: f64,
     stays: ResidenceCounts<V>,
     scalar: PhantomData<T>,

@@ -42,7 +42,7 @@ pub struct Rotation<F, T> {
     plane: F,
     steps: u64,
     middle: [f64; 2],
-    /// For both coordinates, the reciprocal of half the range.
+    /// For each coordinate, 2 divided by the difference of its extremes.
     units: [f64; 2],
     last: [f64; 2],
     /// The angle from the first point to the second, as seen from `middle`, in revolutions.
@@ -64,8 +64,8 @@ pub struct RotationNumber {
 }
 
 impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Rotation<F, T> {
-    /// Creates an observer of the rotation around the origin of `plane` over `steps` steps. Later
-    /// points are ignored. Shorter runs converge slowly: the weights of the mean do not fall to 0.
+    /// Creates an observer of the rotation of the points `plane(x)` around the origin. It averages
+    /// over `steps` steps and ignores later points. After fewer steps the result is less accurate.
     pub fn of(steps: u64, plane: F) -> Self {
         let unit = Extremes { least: T::zero() - T::one(), greatest: T::one() };
         Self::between(steps, plane, [unit.clone(), unit])

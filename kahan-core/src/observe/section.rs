@@ -63,7 +63,7 @@ pub struct Section<M: Step, F, S> {
 pub struct SectionReport<R> {
     /// The report of the [`CrossingReceiver`] that received the crossings.
     pub points: R,
-    /// The number of sign changes at which the section's function jumps, for example at a pole.
+    /// The number of sign changes at jumps of the section's function, for example at poles.
     pub jumps: u64,
 }
 
@@ -236,7 +236,7 @@ where
         let places = narrow(ends, |part| level(at(part).as_slice()));
         let size = |place: &ZeroBracket<T>| place.height.approximate().abs();
         let [one, other] = places;
-        // A zero at the start belongs to the previous step; the fraction 0 is not chosen here.
+        // A zero at the fraction 0 belongs to the previous step; therefore 0 is not chosen.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
         let part = if is_one { one.part } else { other.part };
         let [point, beside] = if is_one { places } else { [other, one] }.map(|place| at(place.part));
@@ -248,9 +248,9 @@ where
     }
 }
 
-/// Returns whether `point`, which a fraction of a step reaches, is infinite or near a pole. Near a
-/// pole, some variable is much larger than at the `ends` of the step, and differs from its value at
-/// `beside`, the point at a neighbouring fraction.
+/// Returns whether `point`, a point within a step, is infinite or near a pole. Near a pole some
+/// variable is much larger than at both `ends` of the step. The variable also differs from its
+/// value at the neighbouring point `beside`.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
@@ -276,7 +276,7 @@ where
         let rises = self.direction != Direction::Falling && before < 0.0 && after >= 0.0;
         let falls = self.direction != Direction::Rising && before > 0.0 && after <= 0.0;
         if rises || falls {
-            // If steps are not consecutive, the points between them are infinite: this is a jump.
+            // Points at infinity are not observed. A sign change across them is a jump.
             let crossing = if step == self.step + 1 { self.crossing(x, end) } else { None };
             match crossing {
                 Some(crossing) => self.sink.take(crossing),

@@ -52,8 +52,8 @@ impl<M: TangentMap> Spectrum<M> {
     pub fn new(map: M, k: usize, every: u64) -> Self {
         let variables = map.dimension();
         assert!(k <= variables && every > 0, "{k} exponents in {variables} variables, every {every} steps");
-        // If there are fewer vectors than variables, vectors must avoid coordinate planes, which
-        // are often invariant.
+        // With fewer vectors than variables, the initial vectors must not lie in coordinate planes,
+        // which are often invariant.
         let off_axis = if k < variables { 1 } else { 0 };
         let entry = |j: usize, i: usize| {
             let skew = Constant::ratio(off_axis * ((29 * i + 17 * j + 5) % 32) as i64, 64);

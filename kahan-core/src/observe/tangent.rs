@@ -35,8 +35,8 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Replaces the tangent vector `v` at `x` by J(x)·v, where J is the derivative of a step.
     fn push_forward(&self, x: &[Self::Scalar], v: &mut Self::State);
 
-    /// Replaces `v` by J(x)·v as [`push_forward`](Self::push_forward) does. The known next state
-    /// `_next` halves the work.
+    /// Replaces `v` by J(x)·v as [`push_forward`](Self::push_forward) does. Implementations that
+    /// use the next state `_next` need half the work.
     #[inline(always)]
     fn push_forward_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
         self.push_forward(x, v);

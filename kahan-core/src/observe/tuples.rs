@@ -33,7 +33,7 @@ macro_rules! tuple {
             where
                 T: EnsembleScalar,
             {
-                // If an observer can end the run, all observers see a point before the next one.
+                // If an observer can end the run, the points are shown to all observers one by one.
                 if <Self as Observer<T>>::MAY_END {
                     show_in_turn(_group, _burst);
                     return;

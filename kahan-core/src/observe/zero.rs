@@ -11,11 +11,11 @@ pub(super) struct ZeroBracket<T> {
     pub height: T,
 }
 
-/// Returns u^⅓ for the unit roundoff u, which is 2⁻¹⁷ for `f64` and 2⁻⁸ for `f32`.
+/// Returns u^⅓ for the unit roundoff u: 2⁻¹⁷ for `f64`, and 2⁻⁸ for `f32`.
 ///
-/// Let m be the larger magnitude of a function at the ends of a step. A sign change counts as a
-/// zero if the function there is at most this fraction of m; at a jump or a pole it is larger. A
-/// zero may be missed if the step moves the point by less than u^⅔ of its size.
+/// A sign change of a function counts as a zero if the function is small on both sides of it. Small
+/// means at most u^⅓ times the larger magnitude at the ends of the step. A zero may be missed if
+/// the step moves the point by less than u^⅔ of its size.
 pub(super) fn small<T: FloatScalar>() -> f64 {
     libm::exp2(-f64::from(T::SHORT_BITS))
 }
@@ -66,7 +66,7 @@ pub(super) fn narrow<T: FloatScalar>(
             at if at > 0.0 && at < 1.0 => secant,
             _ => half,
         };
-        // The function may be undefined at an isolated argument. Then other arguments are tried.
+        // If the function is NaN at one argument, other arguments are tried.
         let ratios = [ratio, half, half * half, half + half * half];
         let mut places = ratios.into_iter().map(|ratio| {
             let part = last.part + ratio * gap;

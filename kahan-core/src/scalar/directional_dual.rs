@@ -33,7 +33,7 @@ impl<T: Scalar> DirectionalDual<T> {
     }
 }
 
-/// Combines the derivatives of two operands. The derivative of a constant is `None`.
+/// Combines two derivatives by `both`, or by `left` or `right` if the other one is `None`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<T: Scalar>(
     slopes: [Option<T>; 2],

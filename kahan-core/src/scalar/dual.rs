@@ -39,8 +39,8 @@ impl<const N: usize> From<f64> for Dual<f64, N> {
     }
 }
 
-/// Replaces each entry of a gradient by an expression, which may contain the entry of another
-/// gradient.
+/// Replaces each entry of a gradient by the value of an expression. The expression may use the
+/// corresponding entry of a second gradient.
 macro_rules! along {
     ($dual:expr, |$own:ident| $value:expr) => {
         for $own in &mut $dual.gradient {

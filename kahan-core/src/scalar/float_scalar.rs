@@ -56,7 +56,7 @@ impl FloatScalar for Dd {
         if !high.is_finite() {
             return self;
         }
-        // In a tie, the sign of the low part decides.
+        // If the high part is halfway between two short numbers, the sign of the low part decides.
         let below_middle = self.low() != 0.0 && (self.low() > 0.0) != (high > 0.0);
         let cut = |bits: u64| f64::from_bits(bits & !(UNIT - 1));
         let nearest = cut(high.to_bits() + (UNIT / 2 - u64::from(below_middle)));

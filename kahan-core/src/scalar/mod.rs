@@ -82,7 +82,7 @@ pub trait Scalar:
     /// Returns self/divisor, or `None` if the divisor has no [`reciprocal`](Self::reciprocal).
     #[inline(always)]
     fn quotient(self, divisor: Self) -> Option<Self> {
-        // The compiler removes this reciprocal if reciprocals always exist.
+        // The compiler removes this line for types whose numbers all have reciprocals.
         divisor.reciprocal()?;
         Some(self / divisor)
     }

@@ -11,7 +11,7 @@ pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// Steps in `f64` with error bounds may divide by ε if |ε| is from 2⁻⁶⁴ to 2⁶⁴.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
 /// Plain `f64` steps may divide by ε if |ε| is from 2⁻⁸⁴ to 2⁶⁴. The lower limit is far below usual
-/// ε, so that a shorter step at θε with 0 < θ < 1 usually divides by θε, too.
+/// ε. Therefore a step at θε with 0 < θ < 1 usually has the same form as the step at ε.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 #[inline(always)]
@@ -34,8 +34,8 @@ pub(crate) fn is_float<T: 'static>() -> bool {
     is::<T, f32>() || is::<T, f64>()
 }
 
-/// Returns j and k if steps over T may divide by ε from 2⁻ʲ to 2ᵏ, or `None` if division is
-/// forbidden.
+/// Returns j and k if steps over T may divide by ε for |ε| from 2⁻ʲ to 2ᵏ. Returns `None` if they
+/// never divide by ε.
 #[inline(always)]
 fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     if is::<T, f64>() {
@@ -49,7 +49,7 @@ fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     }
 }
 
-/// Returns whether steps over T use the form that divides by ε, if there is one.
+/// Returns whether steps over T may divide by some values of ε.
 #[inline(always)]
 pub(crate) fn divides_by_eps<T: 'static>() -> bool {
     bits_of_steps::<T>().is_some()
@@ -64,8 +64,8 @@ pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     })
 }
 
-/// Returns the number unchanged, but prevents its packing into a vector with other numbers. Packed
-/// numbers wait for the latest one, and cost shuffles.
+/// Returns the number unchanged, but keeps compilers from packing it into a vector with other
+/// numbers. A packed vector waits for the last of its numbers, and packing costs shuffles.
 #[inline(always)]
 pub fn fenced<T: 'static>(mut number: T) -> T {
     let _ = change(&mut number, |single: &mut f32| *single = fence::single(*single))
@@ -75,14 +75,14 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// Returns a component of x̃. It is [`fenced`] in `f32`, or if the step computes `several`
-/// reciprocals one after another, because packing components would slow an orbit down.
+/// Returns a component of x̃. The component is [`fenced`] for `f32`, and if the step computes
+/// `several` reciprocals in sequence. Packed components would slow an orbit down.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }
 }
 
-/// Applies `change` if the number has the type U, and returns whether the types agree.
+/// Applies `change` if T is the type U. Returns whether the types are equal.
 #[inline(always)]
 fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -> bool {
     if is::<T, U>()

@@ -101,13 +101,14 @@ pub trait Step {
         self.advance(x, steps, &mut Workspace::new())
     }
 
-    /// Replaces `x` by the state after one step at another ε.
+    /// Replaces `x` by the state after one step at `eps` instead of the map's ε.
     ///
     /// Each call creates a workspace. [`part`](Self::part) takes one from the caller instead.
     ///
     /// # Errors
+    /// Returns the errors of [`advance`](Self::advance).
     /// # Panics
-    /// Returns and panics as [`advance`](Self::advance) does.
+    /// Panics as [`advance`](Self::advance) does.
     fn run_part(&self, eps: &Self::Scalar, x: &mut [Self::Scalar]) -> Result<(), Stopped> {
         self.part(eps, x, &mut Workspace::new())
     }
@@ -124,14 +125,15 @@ pub trait Step {
     /// If the length of `x` is not [`dimension`](Self::dimension).
     fn advance(&self, x: &mut [Self::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped>;
 
-    /// Replaces `x` by the state after one step at another ε, for which the step is prepared anew.
+    /// Replaces `x` by the state after one step at `eps`, for which the step is prepared anew.
     ///
-    /// For 0 ≤ θ ≤ 1, the curve θ ↦ φ_{θε}(x) joins x to x̃, where φ_ε is the map. This curve is as
-    /// close to the flow as a step is.
+    /// For 0 ≤ θ ≤ 1, the states after steps at θε form a curve from x to x̃ with the accuracy of a
+    /// step.
     ///
     /// # Errors
+    /// Returns the errors of [`advance`](Self::advance).
     /// # Panics
-    /// Returns and panics as [`advance`](Self::advance) does.
+    /// Panics as [`advance`](Self::advance) does.
     fn part(
         &self,
         eps: &Self::Scalar,
@@ -139,7 +141,7 @@ pub trait Step {
         workspace: &mut Workspace,
     ) -> Result<(), Stopped>;
 
-    /// Returns the state at a point. Numbers after the point are 0.
+    /// Returns the state that consists of `point`, followed by zeros.
     ///
     /// # Panics
     /// If `point` is longer than a state.

@@ -42,7 +42,7 @@ pub enum Reason {
 }
 
 impl SingularStep {
-    /// Creates the error of a step that failed and computed no error bound, from det A(x,ε) and ε.
+    /// Creates an error from det A(x,ε) and ε, for a step without an error bound.
     pub(crate) fn new(determinant: f64, eps: f64) -> Self {
         let reason = if determinant == 0.0 {
             Reason::Pole
@@ -140,7 +140,7 @@ impl fmt::Display for SingularStep {
                 )?;
             }
         }
-        // A scalar without an approximation by `f64` has no ε to print.
+        // ε is NaN if the scalar has no `f64` approximation.
         if eps.is_nan() { Ok(()) } else { write!(f, " (eps = {eps:?}, half the time step)") }
     }
 }

@@ -36,12 +36,11 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// The step over the scalar `L` of SIMD lanes, or [`NoLanes`] if lanes cannot run it.
     type Wide<L: Scalar>: PreparedStep<L, N>;
 
-    /// Returns the increment before its last multiplication, or `None` at a pole of an exact
-    /// scalar.
+    /// Returns the increment as numerators and reciprocals, or `None` at a pole of an exact scalar.
     /// Implementations are `#[inline(always)]`, so that a caller's target features apply to lanes.
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>>;
 
-    /// Passes the increment at `x` to `finish`.
+    /// Calls `finish` with the numerators and reciprocals of the increment at `x`.
     #[inline(always)]
     fn finish<R>(&self, x: &SVector<T, N>, finish: impl FnOnce(Quotients<T, N>) -> R) -> Option<R> {
         Some(finish(self.quotients(x)?))

@@ -43,7 +43,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         Self { numerators, reciprocals, several: true }
     }
 
-    /// Creates increments that need no multiplication.
+    /// Creates increments without reciprocals.
     #[inline(always)]
     pub fn whole(increments: [T; N]) -> Self {
         Self { numerators: increments, reciprocals: from_fn(|_| None), several: false }
@@ -81,9 +81,9 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     ///
     /// x̃ = t = b + n·r, carry = (n·r − (t − b)) + rest.
     ///
-    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding error of n·r is lost. Otherwise the rounding
-    /// error of t − b is lost, too. The latency is that of a plain step, because the carry is added
-    /// while the step waits for its division.
+    /// If |n·r| ≤ |b|, t − b is exact (Dekker 1971), and only the rounding error of n·r is lost.
+    /// Otherwise t − b is rounded, and this error is lost, too. The latency is that of a plain
+    /// step, because the carry is added while the step waits for its division.
     #[inline(always)]
     pub fn added_with_carry(self, x: &SVector<T, N>, carry: &SVector<T, N>) -> [SVector<T, N>; 2] {
         let base: SVector<T, N> = vector(from_fn(|i| x[i].clone() + carry[i].clone()));

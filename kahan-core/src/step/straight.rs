@@ -16,15 +16,14 @@ pub trait Kernel<const N: usize, const C: usize> {
     /// The cost of one step.
     const COST: StepCost;
 
-    /// Returns the increment before its last multiplication, or `None` at a pole of an exact
-    /// scalar.
+    /// Returns the increment as numerators and reciprocals, or `None` at a pole of an exact scalar.
     fn quotients<T: Scalar>(constants: &[Padded<T>; C], state: [T; N]) -> Option<Quotients<T, N>>;
 }
 
 /// A prepared constant, padded to 32 bytes.
 ///
-/// Compilers load adjacent scalars as one vector, and unpacking this vector would slow down an
-/// orbit. The padding is zero, because compilers also compute with it, and subnormal numbers are
+/// Without padding, compilers load adjacent scalars as one vector, whose unpacking slows an orbit
+/// down. The padding is zero, because compilers also compute with it, and subnormal numbers are
 /// slow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]

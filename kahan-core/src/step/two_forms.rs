@@ -78,8 +78,8 @@ where
     }
 }
 
-/// Evaluates the form that does not divide by ε, for scalars that usually use the other form. A
-/// call with copies lets a loop keep its state in registers.
+/// Evaluates the form that does not divide by ε. The call gets a copy of the state, so that a loop
+/// can keep the state in registers.
 #[cold]
 #[inline(never)]
 fn out_of_line<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
@@ -88,7 +88,7 @@ where
     T: Scalar,
 {
     let quotients = general.quotients(&x)?;
-    // Floats return the increment, because it takes half as much memory as the quotients.
+    // The increment of floats is returned, because it takes half as much memory.
     Some(if tuning::is_float::<T>() {
         Quotients::whole(quotients.increment().data.0[0].clone())
     } else {
@@ -96,8 +96,8 @@ where
     })
 }
 
-/// A step with two forms, one for lanes and one for orbits. In orbits a second division shortens
-/// the critical path.
+/// A step with one form for lanes and another for orbits. The form for orbits has a second
+/// division, which shortens the critical path.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrbit<S, G> {
     step: S,

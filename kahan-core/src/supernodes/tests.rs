@@ -92,8 +92,8 @@ fn lattice(side: usize) -> Pattern {
     Pattern::of(side * side, |i, j| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1)
 }
 
-/// Solves a test system whose variable i is multiplied by `units(i)`. Returns the smallest nonzero
-/// entry of the factors, and the solution divided by `units`.
+/// Solves a test system in which variable i has the unit `units(i)`. Returns the smallest nonzero
+/// magnitude in the LU factors, and the solution divided by `units`.
 fn solved(pattern: &Pattern, eps: f64, units: impl Fn(usize) -> f64, flushes: bool) -> (f64, Vec<f64>) {
     let n = pattern.order.len();
     let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };
@@ -116,7 +116,7 @@ fn negligible_factors_are_zero_and_solutions_keep_their_bits() {
     let (pattern, eps) = (lattice(24), 1e-12);
     let (smallest, exact) = solved(&pattern, eps, |_| 1.0, false);
     let (smallest_flushed, flushed) = solved(&pattern, eps, |_| 1.0, true);
-    // Off-diagonal entries of A are −ε to −7ε; hence entries below ε·`NEGLIGIBLE` are negligible.
+    // Every off-diagonal entry of A has a magnitude of at least ε.
     assert!(smallest < eps * f64::NEGLIGIBLE, "{smallest}");
     assert!(smallest_flushed >= eps * f64::NEGLIGIBLE, "{smallest_flushed}");
     assert_eq!(flushed, exact);

@@ -29,7 +29,7 @@ fn e1_has_a_value_at_its_removable_pole() {
     assert!(E1.det_matrix(&x, eps.clone()).is_zero());
     assert_eq!(E1.step(&x, eps.clone()), next);
     assert_eq!(E1.det_jacobian(&x, eps.clone()), -Q::one());
-    // The map retains the factor that cancels at ξ = 1.
+    // The map of E7 keeps the factor that cancels at ξ = 1. The step fails where this factor is 0.
     assert!(E7 { xi: q(1, 1) }.try_step(&x, eps).is_err());
 }
 

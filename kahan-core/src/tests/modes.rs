@@ -83,16 +83,16 @@ fn a_composition_is_its_stages_in_order() {
     assert_eq!(E3.at(0.05).composed(Composition::KAHAN).step(&start()), E3.step(&start(), 0.05));
 }
 
-/// At ε ≈ 2⁻⁴⁰, a plain orbit adds increments rounded to 13 bits.
+/// At ε ≈ 2⁻⁴⁰, a plain orbit keeps only 13 bits of each increment.
 #[test]
 fn small_increments_are_not_lost() {
     let (start, eps, steps) = (vector![1.0_f64, 0.5, 1.5], 1e-12, 100_000);
-    // A single step over the whole time errs by about (2·steps·ε)³ = 8e-21, far below an ulp.
+    // One step over the total time errs by about (2·steps·ε)³ = 8e-21, far below an ulp.
     let there = E3.step(&start, eps * f64::from(steps));
     let error = |x: Option<SVector<f64, 3>>| (x.unwrap() - there).amax();
     let plain = error(E3.orbit(start, eps).nth(steps as usize));
     let compensated = error(E3.orbit(start, eps).compensated().nth(steps as usize));
-    // The orbit's point and the long step each err by half an ulp of 1.5.
+    // The last point and the long step each err by about `EPSILON`/2.
     assert!(compensated <= f64::EPSILON * 1.5, "{compensated:e}");
     assert!(plain > 20.0 * compensated, "{plain:e}");
 }

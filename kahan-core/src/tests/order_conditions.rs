@@ -72,7 +72,7 @@ fn ten_to_minus(digits: u32) -> Q {
     Q::new(BigInt::one(), BigInt::from(10).pow(digits))
 }
 
-/// Coefficients of 40 digits err by 5·10⁻⁴¹, and conditions of degree up to 7 by less than 10⁻³⁸.
+/// Coefficients of 40 decimals change the conditions by less than 10⁻³⁸.
 #[test]
 fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     for composition in Composition::ALL {

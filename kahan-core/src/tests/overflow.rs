@@ -36,7 +36,7 @@ impl KahanMap<f64, 3> for ByHand {
 
 #[test]
 fn an_overflowing_denominator_is_seen_and_elimination_takes_over() {
-    // (1 + 2εx)(1 − εx) overflows, while x̃₁ = x/(1 + 2εx) stays in the range of f64.
+    // The common denominator overflows, but x̃₁ = x/(1 + 2εx) stays in the range of `f64`.
     let (x, eps) = (vector![1e-50_f64, 5e-51, 2.5e-51], 1e220);
     assert_eq!(ByHand.step(&x, eps), x);
     let next = ByHand.try_step(&x, eps).unwrap();
@@ -53,7 +53,7 @@ fn a_matrix_beyond_the_range_is_refused() {
 
 #[test]
 fn an_overflowing_pivot_is_refused() {
-    // With w = x[3], εw overflows. Dividing by it gives x̃₁ = x₁ instead of x₁ + 2.7e-10.
+    // ε·`x[3]` overflows, and a division by it leaves `x[0]` unchanged.
     let (x, eps) = (vector![1.0_f64, 1.0, 1.0, 1e10], 1e300);
     let fast = Coupled.step(&x, eps);
     assert!(fast.iter().all(|entry| entry.is_finite()) && fast[0] == 1.0);
@@ -63,7 +63,7 @@ fn an_overflowing_pivot_is_refused() {
 
 #[test]
 fn a_component_at_rest_is_no_overflow() {
-    // At this removable pole y is 0, and elimination would fail.
+    // This is a removable pole: det A is 0, but the map is defined.
     let x = vector![-2.0_f64, 0.0, 1.0];
     assert_eq!(ByHand.det_matrix(&x, 0.5), 0.0);
     assert_eq!(ByHand.try_step(&x, 0.5), Ok(ByHand.step(&x, 0.5)));
@@ -115,7 +115,7 @@ impl KahanMap<f64, 2> for Clock {
 
 #[test]
 fn one_overflowing_denominator_is_seen_beside_components_that_move() {
-    // The denominator (1 + 2εx)·εx overflows, so a computed increment of 0 would leave x as it is.
+    // The denominator (1 + 2εx)·εx overflows, and the computed increment becomes 0.
     let (x, eps) = (vector![1e-50_f64, 0.0], 1e220);
     assert_eq!(Clock.step(&x, eps), vector![1e-50, 2e220]);
     let next = Clock.try_step(&x, eps).unwrap();

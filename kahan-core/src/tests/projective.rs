@@ -65,7 +65,7 @@ fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>
 
 #[test]
 fn what_was_brought_to_one_point_comes_apart_again() {
-    // The inverse orbit of a rounded point may lose ten bits; the bound of 16 leaves a reserve.
+    // The inverse orbit of a rounded point may lose ten bits; 65536 = 2¹⁶ leaves a reserve.
     check_top(|x| x, |a, b| (a - b).amax() <= 65536.0 * f64::EPSILON);
     check_top(|x| x as f32, |a, b| (a - b).amax() <= 65536.0 * f32::EPSILON);
     #[cfg(feature = "exact")]
@@ -83,7 +83,6 @@ where
 
 #[test]
 fn an_orbit_ends_where_lines_lead_to_different_points() {
-    // Lines through (2, 2, 2), the common image of a plane, lead to different points of the plane.
     let (points, why) = end(&mut Top.orbit(vector![2.0, 2.0, 2.0], 0.5).projective());
     assert_eq!(points, 2);
     assert!(why.contains("lines through it lead to different points"), "{why}");
@@ -116,7 +115,7 @@ fn away_from_poles_points_have_the_bits_of_the_orbit() {
 
 #[test]
 fn near_a_pole_ten_bits_are_lost_and_very_near_none() {
-    // The exact map has 1/x̃ = 1/x − 2ε. The product 2εx is rounded for ε = 0.3, not for ε = 0.25.
+    // The exact map is 1/x̃ = 1/x − 2ε. The product 2εx is exact only for ε = 0.25.
     for (eps, pole) in [(0.25, 2.0), (0.3, 5.0 / 3.0)] {
         for exponent in [3, 6, 9, 12, 15, 30, 45] {
             let d = 2_f64.powi(-exponent);

@@ -1,5 +1,5 @@
-//! Macros that define lane types over vector registers of any processor, from the names of its
-//! intrinsics. Each processor's module defines the macro `machine!`, which runs an intrinsic.
+//! Macros that define lane types over vector registers, from the names of a processor's intrinsics.
+//! Each module of a processor defines `machine!`, a macro that runs an intrinsic.
 
 #[cfg(test)]
 pub(super) mod tests;
@@ -78,7 +78,7 @@ macro_rules! lanes {
             fn load(entries: &[$float], place: usize) -> Self {
                 let entries = &entries[place..place + $lanes];
                 // SAFETY: the slice holds as many floats as the register, and the address need not
-                // be aligned. The instruction exists, because `machine!` runs it.
+                // be aligned. On the instruction itself, see `machine!`.
                 Self(unsafe { $load(entries.as_ptr()) })
             }
 

@@ -119,7 +119,7 @@ where
     if W::IS_SMALL { work.run::<RegisterPair<L>>() } else { work.run::<L>() }
 }
 
-/// Runs in single registers, which have as many lanes as a [`RegisterPair`] of AVX2 registers.
+/// An AVX-512 register has as many lanes as a [`RegisterPair`] of AVX2, so that no pairs are used.
 #[target_feature(enable = "avx512f")]
 fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
     work.run::<L>()

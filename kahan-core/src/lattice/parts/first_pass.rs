@@ -1,9 +1,9 @@
 //! The first pass, which eliminates the interiors of parts and leaves the Schur complements of the
 //! separators between parts.
 //!
-//! Each lane holds one part. The result for a part is its largest multiplier and 2S rows of 2S + 1
-//! numbers, where S is the number of unknowns of a separator. The rows of the right separator
-//! precede those of the left.
+//! Each lane holds one part. The result for a part is its largest multiplier and 2S linear
+//! equations, where S is the number of unknowns of a separator. An equation has 2S coefficients and
+//! a right-hand side. The equations of the right separator precede those of the left.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -129,7 +129,7 @@ impl<
 struct InteriorElimination<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
-    /// In each lane, the multiplier of largest magnitude with which rows of `border` were reduced.
+    /// In each lane, the largest |multiplier| that reduced a row of `border`.
     worst: L,
 }
 
@@ -152,8 +152,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The dense linear system that remains after the elimination of the band, followed by the largest
-/// multiplier of each lane. The first pass eliminates only the system's first `first` columns.
+/// The dense linear system after the elimination of the band; the largest multiplier of each lane
+/// follows it in memory. The first pass eliminates only the columns 0 to `first` − 1.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

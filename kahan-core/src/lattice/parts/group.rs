@@ -1,7 +1,7 @@
 //! The parts of a group, gathered from the state into SIMD lanes and scattered back.
 //!
-//! The sites of each part are stored in order, one register per array. The R sites before the part
-//! and the 2R sites after it are stored, too, where R is the reach.
+//! The sites of each part are stored in order, one register per array. With the reach R, they are
+//! stored together with the R sites before the part and the 2R sites after it.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};

@@ -15,7 +15,7 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::second_pass::SecondPass;
 
-/// Divides groups among threads; a group's numbers start at `numbers[place(group)]`.
+/// Divides groups among threads. The numbers of group g begin at `numbers[place(g)]`.
 pub(super) fn divide<T: Send>(
     scratch: &mut [Scratch<T>],
     groups: Range<usize>,
@@ -102,7 +102,8 @@ pub(super) fn batches(
     })
 }
 
-/// Returns whether `rows`·`numbers` numbers, two registers each, fit into 16 AVX2 registers.
+/// Returns whether `rows` rows of `numbers` numbers fit into 16 AVX2 registers, if each number
+/// takes two registers.
 pub(super) const fn is_small(rows: usize, numbers: usize) -> bool {
     2 * rows * numbers <= 16
 }

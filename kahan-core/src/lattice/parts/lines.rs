@@ -90,8 +90,7 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // Entries left of the interior are stored only in `left`. In the band, their
-                // columns belong to identity rows at the start of the window, and hold 0.
+                // The entry is stored in `left`, and is 0 in the band.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();
@@ -101,7 +100,8 @@ impl<
         row
     }
 
-    /// Returns a row of site r of the left separator, without the columns of the previous part.
+    /// Returns a row of site r of the left separator. Entries for earlier sites are left out,
+    /// because the first pass of the previous part adds them.
     #[inline(always)]
     pub(super) fn row_of_left<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,

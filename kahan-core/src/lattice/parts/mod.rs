@@ -39,7 +39,7 @@ pub(super) struct PartWorkspace<T> {
     partition: Partition,
     level: Level,
     scratch: Vec<Scratch<T>>,
-    /// The results of the first pass, [`separators::size`] numbers for each part.
+    /// The results of the first pass for all parts. Each part has [`separators::size`] numbers.
     joints: Vec<T>,
     /// The old states of the separators and of the remaining sites at the end of the chain.
     kept: Vec<T>,

@@ -75,8 +75,8 @@ impl Partition {
         self.parts() * self.reach + self.remaining_sites()
     }
 
-    /// Iterates over the runs of consecutive sites in the reduced system. Yields a run's index in
-    /// the system, its first site and its number of sites.
+    /// Iterates over the runs of consecutive sites in the reduced system. Yields the index of a
+    /// run's first site in this system and in the chain, and the number of sites.
     pub(super) fn reduced_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
         let partition = *self;
         let separators = (0..partition.parts()).map(move |part| {

@@ -9,11 +9,11 @@ use super::partition::Partition;
 
 pub(in crate::lattice) struct Scratch<T> {
     pub(super) level: Level,
-    /// The states, with `reach` more sites before the left and after the right separator.
+    /// The states of the part, and of neighbouring sites on both sides.
     pub(super) x: Buffer<T>,
     pub(super) c: Buffer<T>,
     pub(super) registers: Buffer<T>,
-    /// The dense linear system that remains after the first pass, and its largest multiplier.
+    /// The dense linear system after the first pass, then the largest multiplier of each lane.
     pub(super) dense: Buffer<T>,
     /// Rows of the identity, followed by the rows of U with their right-hand sides.
     pub(super) done: Buffer<T>,

@@ -100,7 +100,7 @@ impl<
                 sweep.take(WindowRow::zero());
             }
 
-            // The solution right of the current unknown, initially that of the right separator.
+            // The solution at the next unknowns, which at first are those of the right separator.
             let mut after = [L::zero(); WIDTH];
             for k in 0..WIDTH {
                 if k < s {

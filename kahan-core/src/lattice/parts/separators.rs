@@ -9,7 +9,7 @@ use crate::{Constant, Scalar};
 
 use super::partition::Partition;
 
-/// The largest allowed ratio of an entry to its pivot, at which three decimal digits are lost.
+/// The largest allowed ratio of an entry to its pivot, which loses about three decimal digits.
 const MAX_PIVOT_GROWTH: i64 = 1 << 10;
 
 /// Returns the number of numbers stored for a part whose separator has this many unknowns.
@@ -45,7 +45,7 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
         if before < partition.parts() {
             add(row, joint(before), separator + k, before + 1, separator);
         }
-        // Adds entries of A between sites in no part, and between these and the first separator.
+        // Adds the entries of A in `columns` to `row`, from its column `to` on.
         let add_direct = |row: &mut BandRow<'_, T>, site: &Site<T>, b, columns: Range<usize>, to: usize| {
             for (column, entry) in site.entries(map, sites, b) {
                 if columns.contains(&column) {

@@ -1,4 +1,4 @@
-//! Kernels for families read at run time. A family runs on a listed stencil that contains its own.
+//! Kernels for families read at run time, which use the first listed stencil that is large enough.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;

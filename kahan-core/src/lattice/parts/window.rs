@@ -47,7 +47,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         WindowRow { band: self.band, left: [], right }
     }
 
-    /// Writes the row to `numbers` from `place` on, with the first `columns` entries of the band.
+    /// Writes `columns` entries of the band to `numbers`, and then the entries outside the band.
     #[inline(always)]
     pub(super) fn write<T>(&self, numbers: &mut [T], place: usize, columns: usize)
     where
@@ -66,7 +66,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         self.right.store(numbers, place + (columns + R * B) * L::WIDTH);
     }
 
-    /// Returns the row minus a multiple of the pivot row, shifted to the next column.
+    /// Returns this row minus `multiplier` times the pivot row; the band loses its first entry.
     #[inline(always)]
     pub(super) fn reduced(&self, multiplier: L, pivot: &Self) -> Self {
         let mut next = Self::zero();

@@ -13,8 +13,8 @@ use super::families::{Kdv, Tangled, Toda, Volterra};
 use super::parts::in_short_parts;
 use super::random;
 
-/// Returns A(x,ε) = I − εf′(x). For every vector e, f(x + e) − f(x − e) = 2f′(x)e, because f is
-/// quadratic.
+/// Returns A(x,ε) = I − εf′(x). Column j of f′(x) is (f(x + heⱼ) − f(x − heⱼ))/(2h) with the unit
+/// vector eⱼ, because f is quadratic.
 fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DMatrix<f64> {
     let mut a = DMatrix::identity(x.len(), x.len());
     for j in 0..x.len() {

@@ -161,7 +161,7 @@ fn a_ring_of_one_or_two_volterra_sites_stands_still() {
 
 #[test]
 fn a_pole_is_an_error_and_leaves_the_state() {
-    // One open Toda site has ȧ = −ab, ḃ = 2a². Hence det A = 1 + εb + 4ε²a² = 0 at this point.
+    // One open Toda site has det A = 1 + εb + 4ε²a², which is 0 at a = 0, b = −3, ε = 1/3.
     let mut x = [q(0, 1), q(-3, 1)];
     let mut at = Toda::<true>.at(q(1, 3), 1).expect("a site");
     assert!(at.try_step(&mut x).is_err());

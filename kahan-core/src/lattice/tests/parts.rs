@@ -92,7 +92,7 @@ fn long_chains_are_cut_into_parts() {
     }
 }
 
-/// For each site i, the block of A that begins at site i is singular, although A is not.
+/// For each i, the entries of A in column i and rows i, i + 1 are 0, although A is not singular.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (200, 0.125);

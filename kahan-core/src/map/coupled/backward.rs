@@ -28,7 +28,7 @@ const REFINEMENTS: usize = 2;
 /// The residual b − A·x̃ of a solution x̃, with a bound of the backward error.
 struct Residual<T, const N: usize> {
     residual: [T; N],
-    /// An upper bound of the backward error, infinite if no bound is known.
+    /// An upper bound of the componentwise backward error, infinite if unknown.
     bound: f64,
 }
 
@@ -64,7 +64,7 @@ where
     }
 
     /// Tries sparse elimination, then partial pivoting. The function `rest` computes the residual
-    /// of x̃. If the residual is too inaccurate, wide numbers compute it.
+    /// of x̃. If the residual is too inaccurate, wide numbers compute it again.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Residual<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
@@ -181,7 +181,7 @@ where
     }
 
     /// Refines x̃ iteratively, and returns it if its backward error is small enough. Lowers `least`
-    /// to the smallest error bound of all attempts.
+    /// to the smallest error bound found on the way.
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],

@@ -1,4 +1,4 @@
-//! Compensated orbits of floats. A step starts from the point plus its rounding error.
+//! Compensated orbits of floats. Each step starts from the point plus its stored rounding error.
 
 use nalgebra::{ArrayStorage, SMatrix};
 
@@ -26,8 +26,8 @@ pub trait Increments: Step {
         Compensated(self)
     }
 
-    /// Steps a point with its carry, the rounding error. Returns `None` at a pole of an exact
-    /// scalar.
+    /// Steps a point together with its rounding error, the carry. Returns `None` at a pole of an
+    /// exact scalar.
     fn next_with_carry(&self, x: &Self::Carried, workspace: &mut Workspace) -> Option<Self::Carried>;
 
     /// Advances a point with its carry, the rounding error, by `steps` steps.

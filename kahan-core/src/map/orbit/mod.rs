@@ -31,7 +31,7 @@ pub use scaled::Scaled;
 /// | compensated | [`compensated`](Self::compensated) | [`Compensated<KahanAt<…>>`](Compensated) |
 /// | of higher order | [`composed`](Self::composed) | [`Composed<KahanAt<…>>`](crate::Composed) |
 /// | compensated, of higher order | both, in any order | `Compensated<Composed<KahanAt<…>>>` |
-/// | of a chain, of a map read at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<…>` |
+/// | plain, for chains and run-time maps | [`Orbit::new`] | the map, `&map`, `&dyn Step<…>` |
 ///
 /// A compensated orbit yields points without their rounding errors.
 /// [`projective`](Self::projective) continues a plain orbit through poles. [`nth`](Iterator::nth)
@@ -43,8 +43,8 @@ pub use scaled::Scaled;
 /// The map with −ε is the inverse map. Hence n steps forward and n steps back return to x₀; over
 /// exact scalars they return exactly. Over floats each of the 2n steps rounds, and later steps
 /// propagate the errors. Let φ be the map, and let δₖ bound the rounding error of a forward or
-/// backward step that ends at xₖ. At ordinary points δₖ is 16 u ‖xₖ‖ with the rounding unit u. The
-/// final distance from x₀ in the maximum norm is at most
+/// backward step that ends at xₖ. Ordinary points have the bound δₖ = 16 u ‖xₖ‖, where u is the
+/// rounding unit. The final distance from x₀ in the maximum norm is at most
 ///
 ///   δ₀ + 2 (‖∂φ⁻¹(x₁)‖ δ₁ + ‖∂φ⁻²(x₂)‖ δ₂ + … + ‖∂φ⁻ⁿ(xₙ)‖ δₙ)
 ///
@@ -113,7 +113,7 @@ impl<S: Step> Iterator for Orbit<S> {
         if self.stopped.is_some() {
             return None;
         }
-        // Saturation is harmless, because a run of 2⁶⁴ steps never ends.
+        // A sum that saturates is harmless, because 2⁶⁴ steps never end.
         let steps = (n as u64).saturating_add(self.begun.into());
         self.begun = true;
         if let Err(stopped) = self.map.advance(self.state.as_mut_slice(), steps, &mut self.workspace) {

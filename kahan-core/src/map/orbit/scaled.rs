@@ -1,4 +1,4 @@
-//! Orbits of homogeneous quadratic fields, f(λx) = λ²f(x), in variables without ε.
+//! Orbits of homogeneous quadratic fields, computed in variables X = εx whose map is free of ε.
 
 use core::array::from_fn;
 

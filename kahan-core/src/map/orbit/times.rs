@@ -39,7 +39,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         let mut place = self.next();
         let mut made = 0;
         times.iter().map_while(move |&time| {
-            // The conversion turns NaN into zero steps.
+            // A cast of NaN to `u64` gives 0.
             let steps = ((time / dt).approximate() as u64).max(made);
             if steps > made {
                 place = usize::try_from(steps - made - 1).ok().and_then(|skipped| self.nth(skipped));
@@ -79,7 +79,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
                 made += 1;
                 return Some((time, x));
             }
-            // If no point has been yielded, `next` computes the first, from which `part` starts.
+            // If no point has been yielded yet, `next` yields x₀, from which `self.part` starts.
             if is_at_end || (last == 0 && self.next().is_none()) {
                 return None;
             }

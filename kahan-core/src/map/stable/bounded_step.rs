@@ -23,8 +23,8 @@ pub(super) struct BoundedStep<V: Number, const N: usize> {
 
 impl<V: Number, const N: usize> BoundedStep<V, N> {
     /// Computes the step over numbers with error bounds. The values equal the fast step bit for
-    /// bit. Returns `None` if a denominator may be zero, or if an input exceeds the limit up to
-    /// which the bound covers underflow.
+    /// bit. Returns `None` if a denominator may be zero, or if an input is so large that the bound
+    /// does not cover underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: BoundedPair<V>, M: ExtendScalars<T, N>>(
         map: &M,
@@ -61,8 +61,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment that is computed without a reciprocal counts as a product with the
-        // reciprocal 1. The loop avoids closures, because compilers would not inline them.
+        // An increment without a reciprocal gets the weight of the reciprocal 1. Compilers would
+        // not inline a closure here.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
@@ -83,15 +83,15 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
             } else {
-                // This product bounds every error, and is sharp for a common reciprocal.
+                // This product bounds the errors of all components.
                 (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input,
         }
     }
 
-    /// Computes x̃ as a reduced fraction N/D of expanded polynomials. No increment is added to the
-    /// state, so that none can cancel.
+    /// Computes x̃ as a reduced fraction N/D of expanded polynomials. This avoids cancellation
+    /// between the state and an increment.
     pub(super) fn by_reduced_map<M: KahanMap<Bounded<V>, N>>(
         map: &M,
         x: &SVector<Bounded<V>, N>,
@@ -110,7 +110,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         })
     }
 
-    /// Returns whether the error, plus one more rounding, is below `limit` times the maximum norm.
+    /// Returns whether the error is below `limit`·‖x̃‖∞, even after one more rounding.
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();

@@ -1,7 +1,7 @@
-//! The stable step, whose error is at most 64 u of the largest component (u is the rounding unit).
+//! The stable step, which proves a bound of its error.
 //!
-//! The result is an x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or the reason for
-//! failure. Error bounds are computed at increasing precision levels.
+//! The result is an x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, where u is the rounding unit, or the
+//! reason for failure. Error bounds are computed at increasing precision levels.
 //!
 //! # Precision levels
 //! | level | numbers | suffices for |
@@ -36,11 +36,11 @@ pub(crate) use scalars::PromiseScalar;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
 
-/// Takes a step with the error bound 64 u over floats of this crate (u is the rounding unit). Other
-/// scalars get a finite result without a bound.
+/// Takes a step with the error bound 64u over floats of this crate, where u is the rounding unit.
+/// Other scalars get a finite result without a bound.
 ///
-/// Floats ignore `prepared`, because its numbers are rounded without a bound. They prepare the step
-/// over bounded numbers instead; compilers move this preparation out of a loop.
+/// Floats ignore `prepared`, whose rounding errors are unknown. They prepare the step again with
+/// error bounds; compilers move this preparation out of a loop over steps.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -59,7 +59,7 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     }
 }
 
-/// Tries the precision levels of F, a type identical to T.
+/// Tries the precision levels. F and T are the same type, but only F has the bound `PromiseScalar`.
 ///
 /// Only the first level is inlined. The other levels get copies of the state, so that a loop can
 /// keep the state in registers.
@@ -74,8 +74,8 @@ fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: u
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::from_input(*eps)) {
-        // If ε is outside the range for divisions by ε, the general formula is used. The test is
-        // here, because a test inside a step would make compilers keep the code of both formulas.
+        // Outside the range for divisions by ε, the general formula is used. If a step made this
+        // test, its code would contain both formulas.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)

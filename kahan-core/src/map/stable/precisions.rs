@@ -132,8 +132,8 @@ pub(super) fn wide_precisions<T: PromiseScalar, M: ExtendScalars<T, N>, const N:
 }
 
 /// Runs precision level 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to
-/// `next`. Terms in the expanded formulas of other levels may differ by more digits than the
-/// numbers have.
+/// `next`. The other levels fail if terms of their expanded formulas differ by more digits than
+/// their numbers have.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
@@ -174,7 +174,7 @@ fn eliminated<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
         *next = vector(rounded);
         return Some(Ok(()));
     }
-    // A component that is known but rounds to no finite number is beyond the scalar's range.
+    // If a known component overflows T, more digits do not help.
     let is_settled = LongNumber::are_settled(exact.iter().zip(rounded.iter().map(T::is_finite_number)));
     is_settled.then_some(Err(Reason::BeyondRange))
 }

@@ -103,7 +103,7 @@ impl PromiseScalar for Dd {
 #[cfg(feature = "std")]
 pub(crate) struct LongElimination<T> {
     next: Vec<T>,
-    /// Whether each component has an error of at most 8 rounding units.
+    /// Whether the error of each component is proved to be at most 8 rounding units.
     is_promised: bool,
     /// Whether a larger capacity of the long numbers would give no more information.
     is_settled: bool,
@@ -120,8 +120,8 @@ impl<T: PromiseScalar> LongElimination<T> {
     }
 }
 
-/// Eliminates with growing capacity until the error bound of x̃ is proved or `is_kept` accepts x̃.
-/// Returns `None` if no capacity suffices.
+/// Eliminates with numbers of growing capacity. Stops if the error bound of x̃ is proved, or if the
+/// caller's test `is_kept` accepts x̃. Returns `None` if no capacity suffices.
 #[cfg(feature = "std")]
 pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
     eliminated: impl Fn(Capacity) -> Option<LongElimination<T>>,

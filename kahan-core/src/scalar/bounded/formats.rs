@@ -6,13 +6,13 @@ use crate::scalar::{Size, Wide};
 
 use super::number::{Number, Range};
 
-/// An `f32` operation that underflows errs by at most 2 to this power.
+/// The binary exponent of the largest underflow error of an `f32` operation.
 const LOST_OF_SINGLES: i32 = -149;
 const LOST_OF_DOUBLES: i32 = -1074;
-// 2 to this power bounds the effect of underflow within an operation on pairs of floats.
+// The binary exponent of a bound on the underflow error of an operation on pairs of floats.
 const LOST_OF_PAIRS: i32 = -1070;
 
-/// The range in which `f32` bounds hold. With inputs beyond it, a step is computed in `f64`.
+/// The range of inputs for which `f32` bounds hold. Beyond it, a step is computed in `f64`.
 const SINGLE: Range = Range::of(LOST_OF_SINGLES, -40, 4, BITS_OF_SINGLE_STEPS);
 
 const ALLOWANCE_OF_DOUBLES: i32 = -150;

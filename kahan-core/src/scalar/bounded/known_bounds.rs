@@ -27,9 +27,9 @@ impl<G: Magnitude> KnownBounds<G> {
     }
 }
 
-/// Returns an upper bound of the backward error of a row. `products` is a lower bound of |A|·|x̃|.
-/// The result is infinite if the error is NaN, or if `largest`, the largest input, exceeds the
-/// limit up to which the bounds cover underflow.
+/// Returns an upper bound of the backward error of a row. `products` is a lower bound of |A|·|x̃|
+/// in this row, and `largest` is the largest input. The result is infinite if the error is NaN or
+/// an input is too large.
 pub(crate) fn backward_error<G: Magnitude>(
     residual: KnownBounds<G>,
     products: G,

@@ -2,8 +2,8 @@
 
 use super::number::{Magnitude, power_of_two};
 
-/// A limit on the magnitudes of a step's inputs, known at compile time. The integer n ≥ 1 means
-/// that all inputs must be below 2ⁿ⁻¹, and 0 means that every input is too large.
+/// A limit on the magnitudes of a step's inputs, known at compile time. The integer n ≥ 1 allows
+/// inputs below 2ⁿ⁻¹, and 0 allows no input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct InputLimit(u32);
 

@@ -25,9 +25,9 @@
 //! Magnitudes are rounded at most k times, and errors are computed as k·u·m instead of γₖ·m. The
 //! factor [`SLACK`] covers both. A computed m satisfies
 //!
-//! > |v| ≤ M and |v̂ − v| ≤ γₖ·M, where M = m/(1−u)ᵏ,
+//! > |v| ≤ M and |v̂ − v| ≤ γₖ·M, where M = m/(1−u)ᵏ.
 //!
-//! and γₖ·M ≤ 17/16·k·u·m if t = k·u is at most 1/25, because
+//! Let t = k·u be at most 1/25. Then γₖ·M ≤ 17/16·k·u·m, because
 //!
 //! > γₖ/(1−u)ᵏ/t ≤ (eᵗ − 1)·eᵗ/t = 1 + 3t/2 + 7t²/6 + … ≤ 1.0620 at t = 1/25.
 //!
@@ -42,7 +42,7 @@
 //! Therefore m is multiplied by the slack once more, which exceeds 64/63 and the roundings of m.
 //! In a chain c/d/d′/… of n divisors with relative errors ρᵢ ≤ 1/64, |v/q − 1| ≤ Π 1/(1−ρᵢ) − 1 ≤
 //! 1.0625·Σ ρᵢ for n ≤ 6. Steps divide by one determinant per block, at most eight in all. The
-//! premises of the next section imply t < 10⁻⁴. Then the slack of errors is unused, and n ≤ 14
+//! premises under "Underflow" imply t < 10⁻⁴. Then the slack of errors is unused, and n ≤ 14
 //! suffices.
 //!
 //! # Underflow
@@ -50,7 +50,7 @@
 //! magnitude m has the same bound. Let w operations of a formula possibly underflow, all inputs be
 //! at most 2ᴸ, and all their products at most 2ᴮ. Then these errors grow to at most w·2ᴮ·η. A sum
 //! has the larger w of its two terms, and adds 1 to B, which doubles the bound. A product or
-//! quotient adds 1 to the w of both operands. Every error includes the [allowance](number::Range).
+//! quotient has the sum of both w, plus 1. Every error includes the [allowance](number::Range).
 //! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. A quotient divides an
 //! error at most by the square of the smallest allowed divisor. Dividing a constant by ε multiplies
 //! it by at most 2 to the power [`bits_of_steps`](number::Range).
@@ -96,10 +96,10 @@ pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     roundings: u32,
     /// The number of operations that may underflow; see "Underflow" in the module's head.
     underflows: u32,
-    /// The most inputs in a product of the formula, whose other factors are at most 2^`bits`.
+    /// The largest number of inputs in a product. Its other factors are together at most 2^`bits`.
     inputs: u32,
     bits: u32,
-    /// An approximation of 1/|value|, for a quotient whose numerator is an integer constant.
+    /// An approximation of 1/|value|, if the value is a quotient with an integer as numerator.
     inverse: Option<V::Magnitude>,
     /// An approximation of magnitude/|value| without the factor `SLACK`.
     ratio: Option<V::Magnitude>,
@@ -140,8 +140,8 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         InputLimit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
-    /// Creates a value whose error is unknown. The maximal `bits` make `largest_input` allow no
-    /// input. An infinite magnitude alone would be lost in a product with 0: 0·∞ = NaN.
+    /// Creates a value whose error is unknown. With the maximal `bits`, `largest_input` allows no
+    /// input.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = BoundedPair::new(value, V::Magnitude::of(f64::INFINITY));
@@ -153,7 +153,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Self { pair: self.pair.negated(), ..self }
     }
 
-    /// Replaces the magnitude by `change(magnitude)`: an equal number that compilers cannot pack.
+    /// Replaces the magnitude by `change(magnitude)`, which must be an equal number.
     #[inline(always)]
     pub(crate) fn with_magnitude(self, change: impl FnOnce(V::Magnitude) -> V::Magnitude) -> Self {
         Self { pair: BoundedPair::new(self.value(), change(self.magnitude())), ..self }
@@ -164,7 +164,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         self.inputs == 0
     }
 
-    /// Returns whether this is an input, not a result, of a size by which steps may divide.
+    /// Returns whether this is an input, not a computed result, and steps may divide by it.
     #[inline(always)]
     pub(crate) fn is_ordinary_input(&self) -> bool {
         let is_input = self.inputs == 1 && self.roundings == 0 && self.bits == 0;
@@ -198,12 +198,12 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)
     }
 
-    /// Returns the weight of this reciprocal r̂, for products with numbers n̂ that have undergone
-    /// `roundings` roundings. The error of a product n̂·r̂ is at most u times the weight times the
-    /// magnitude of n̂, where u is the rounding unit.
+    /// Returns the weight of this reciprocal r̂, for products with numbers n̂ that have been
+    /// rounded `roundings` times. The error of a product n̂·r̂ is at most u times the weight times
+    /// the magnitude of n̂, where u is the rounding unit.
     ///
     /// Let n and r be the exact values of n̂ and r̂. The error is (n̂ − n)·r̂ + n·(r̂ − r), plus
-    /// one rounding. The weight exceeds |r̂|. Therefore the bound overflows if the product does.
+    /// one rounding. The weight exceeds |r̂|. Hence no product overflows without its bound.
     #[inline(always)]
     pub(crate) fn weight(&self, roundings: u32) -> V::Magnitude {
         let gamma = Self { roundings: roundings.saturating_add(1), ..*self }.gamma_in_units();
@@ -223,9 +223,9 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
     }
 }
 
-/// Returns a number that is added to the magnitude of a numerator with this count of roundings, so
-/// that the bound covers underflow. Its product with the [weight](Bounded::weight) of a reciprocal
-/// r̂ is at least |r̂| times the allowance.
+/// Returns the term for underflow in the magnitude of a numerator that has been rounded `roundings`
+/// times. This term times the [weight](Bounded::weight) of a reciprocal r̂ is at least |r̂| times
+/// the allowance.
 #[inline(always)]
 pub(crate) fn underflow<V: Number>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))

@@ -42,8 +42,8 @@ pub(crate) struct Range {
     pub(crate) bits_of_products: u32,
     /// The lower limit of divisors is 2 to the power −`bits_of_divisors`.
     pub(crate) bits_of_divisors: u32,
-    /// Steps divide by ε if |ε| is at least 2 to the power −`bits_of_steps`, and never if
-    /// `bits_of_steps` is 0.
+    /// With n = `bits_of_steps`, steps may divide by ε if 2⁻ⁿ ≤ |ε| ≤ 2ⁿ. If n is 0, they never
+    /// divide by ε.
     pub(crate) bits_of_steps: u32,
 }
 

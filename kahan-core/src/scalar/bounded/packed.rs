@@ -1,4 +1,4 @@
-//! A float and its magnitude in one vector register, computed by one instruction.
+//! A float and its magnitude in one vector register. One instruction computes both.
 
 use core::arch::x86_64::{
     __m128, __m128d, _mm_add_pd, _mm_add_ps, _mm_cvtsd_f64, _mm_cvtss_f32, _mm_move_ss, _mm_mul_pd,
@@ -99,7 +99,8 @@ packed! {
 }
 
 packed! {
-    /// A pair of floats. Unused lanes repeat the magnitude, because subnormal numbers are slow.
+    /// A float and its magnitude. Unused lanes repeat the magnitude; other contents could be
+    /// subnormal numbers, which are slow.
     PackedSingle(__m128) of f32:
     new: |value, magnitude| _mm_move_ss(_mm_set1_ps(magnitude), _mm_set_ss(value)),
     value: _mm_cvtss_f32,

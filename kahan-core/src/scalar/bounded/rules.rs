@@ -120,7 +120,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         }
     }
 
-    /// Returns an approximation of 1/|value|, or `None` if a division at run time would be needed.
+    /// Returns an approximation of 1/|value| if one is known without a division at run time.
     #[inline(always)]
     fn inverse(&self) -> Option<V::Magnitude> {
         let is_whole_constant = self.inputs == 0 && self.roundings == 0;

@@ -8,7 +8,7 @@ use crate::scalar::bounded::power_of_two;
 use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
 use super::{Dd, extremes, moderate};
 
-/// If a sum or product of high parts is below this bound, the additions after it do not overflow.
+/// If a sum or product of high parts is below this bound, adding the low parts does not overflow.
 const SUM_LIMIT: f64 = power_of_two(1022);
 
 /// Quotients of operands between `SMALL` and `LARGE` lose no bits.
@@ -50,11 +50,11 @@ pub(super) fn product(x: Dd, y: Dd) -> Dd {
 ///
 /// The lower parts are added as floats, in half the time of a product and a sum.
 ///
-/// Let p = |xy| and r = |xy + z|. Then |z| ≤ p + r. In units of u², the additions of the lower
-/// parts round by at most p + |z|, 2p + |z|, 3p + |z| and 3p + |z| + r. The omitted product
-/// x.low·y.low is at most p. Without fused multiply-adds, two products round by at most p each:
-/// 16p + 5r in all. If the leading parts cancel to less than the sum of the lower parts, the last
-/// sum is exact.
+/// Let p = |xy| and r = |xy + z|. Then |z| ≤ p + r. In units of u², the four nested additions of
+/// lower parts, from the innermost on, round by at most p + |z|, 2p + |z|, 3p + |z| and 3p + |z| +
+/// r. The omitted product x.low·y.low is at most p. Without fused multiply-adds, two products round
+/// by at most p each: 16p + 5r in all. If the leading parts cancel to less than the sum of the
+/// lower parts, the last sum is exact.
 #[inline(always)]
 pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
     let (leading, product_error) = two_product(x.high, y.high);
@@ -73,10 +73,10 @@ pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
 /// The leading quotient q has the remainder r = x − qy. The correction of q is r times the float
 /// nearest to 1/y.high, which is computed in parallel with q.
 ///
-/// With x.high, y.high and q scaled into [1,2), the errors in units of u² of x/y are as follows.
+/// Scale x.high, y.high and q into [1,2). The errors of x/y are, in units of u²·|x/y|, as follows.
 /// Products and sums in r contribute 3, because r is at most 3u·x.high. The last addition in r
 /// contributes 3, the omission of y.low contributes 3, and the last product contributes 3. The
-/// reciprocal contributes 1.5. If y = q = 1, most of these are 0. Otherwise their sum is below 14.
+/// reciprocal contributes 1.5. If y = q = 1, most of these are 0; else their sum is below 14.
 #[inline(always)]
 pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     if is_moderate(x.high) && is_moderate(y.high) {

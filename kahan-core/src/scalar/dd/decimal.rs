@@ -89,7 +89,7 @@ impl Decimal {
             return;
         }
         let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
-        // Digits after a dropped 5 exclude a tie, because the last stored digit is not 0.
+        // If digits follow a dropped 5, there is no tie, because the last stored digit is not 0.
         let has_rest = self.length > count + 1 || self.is_cut;
         let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
         self.length = count;
@@ -107,7 +107,7 @@ impl Decimal {
         self.trim();
     }
 
-    /// Parses the magnitude of a text that `f64` also parses.
+    /// Parses a text that `f64` also parses, and ignores its sign.
     fn read(text: &str) -> Self {
         let text = text.trim_start_matches(['+', '-']);
         let (significand, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));

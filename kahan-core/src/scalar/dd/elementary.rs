@@ -1,7 +1,7 @@
 //! Exponential function, logarithm, sine and cosine, with error bounds in terms of u = 2⁻⁵³.
 //!
-//! The argument is reduced to a small r, at which a series is summed. A bound adds the errors of
-//! the reduction, of the last sum, and of the other terms, weighted by their fraction of the value.
+//! The argument is reduced to a small r, at which a series is summed. The reduction, the last sum
+//! and the other terms of the series contribute to the error bounds.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, LOG2_E, SQRT_2};
 
@@ -30,8 +30,8 @@ fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
 
 /// Returns eˣ with a relative error of at most 12u².
 ///
-/// Write x = k·ln 2 + r with |r| ≤ ½ ln 2. Then r has the error 6u²|r|, and the last sum rounds by
-/// 3u². Moreover eʳ − 1 has the relative error 14u², and is at most 0.42 of the value.
+/// Write x = k·ln 2 + r with |r| ≤ ½ ln 2. The error of r is 6u²|r|, and the last sum rounds by
+/// 3u². The other terms, eʳ − 1, have the relative error 14u² and are at most 0.42 of the value.
 pub(super) fn exp(x: Dd) -> Dd {
     // Outside this range the result is 0, infinite or NaN.
     if x.is_nan() || x.high.abs() > 800.0 {
@@ -65,10 +65,10 @@ pub(super) fn ln(x: Dd) -> Dd {
 /// Returns sin x and cos x, each with a relative error of at most 16u² plus 2⁻¹⁵⁵|x|. The results
 /// are NaN for |x| > 2⁴⁰.
 ///
-/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|, plus 6u² times the second
-/// summand of k·π/2 if the subtraction cancels. The last sum rounds by 3u². The other terms of the
-/// sine have the relative error 38u², and are at most 0.12 of the value. The other terms of the
-/// cosine have the relative error 18u², and are at most 0.42 of the value.
+/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|, plus 6u² times `second` if
+/// `first` cancels x. The last sum rounds by 3u². The other terms of the sine have the relative
+/// error 38u², and are at most 0.12 of the value. The other terms of the cosine have the relative
+/// error 18u², and are at most 0.42 of the value.
 pub(super) fn sin_cos(x: Dd) -> (Dd, Dd) {
     if x.is_nan() || x.high.abs() > power_of_two(40) {
         return (Dd::from(f64::NAN), Dd::from(f64::NAN));

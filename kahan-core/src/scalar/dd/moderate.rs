@@ -3,7 +3,7 @@
 use super::Dd;
 use super::error_free::{fast_two_sum, multiply_add, remainder, root, two_sum};
 
-/// Returns sum + error + a + b, where `error`, a and b are small beside the rounded `sum`.
+/// Returns sum + error + a + b, where the last three are small beside the rounded `sum`.
 #[inline(always)]
 pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
     let (lower, rest) = two_sum(a, b);

@@ -20,7 +20,7 @@ operators!([] Dd: arithmetic::sum, arithmetic::difference, arithmetic::product, 
 impl PartialOrd for Dd {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        // Rounding is monotonic. Therefore low parts matter only between equal high parts.
+        // Rounding is monotonic, and the high part is the rounded number.
         match self.high.partial_cmp(&other.high)? {
             Ordering::Equal => self.low.partial_cmp(&other.low),
             order => Some(order),

@@ -19,8 +19,8 @@ fn binary_gcd(mut a: u64, mut b: u64) -> u64 {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// Returns two numbers as rows over a common denominator, or `None` if the denominator exceeds
-    /// 64 bits.
+    /// Returns the numerators of two numbers over a common denominator, and this denominator.
+    /// Returns `None` if the denominator exceeds 64 bits.
     fn over_one_denominator(&self, other: &Self) -> Option<(DigitRow<M>, DigitRow<M>, u64)> {
         if self.denominator == other.denominator {
             return Some((self.row(), other.row(), self.denominator));
@@ -92,7 +92,7 @@ operators! {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// Multiplies numbers with radii r_a and r_b: |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b.
+    /// The error is at most |â|·r_b + |b̂|·r_a + r_a·r_b for factors with the radii r_a and r_b.
     #[inline(never)]
     fn times(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) {

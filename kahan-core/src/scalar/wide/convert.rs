@@ -99,13 +99,13 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         };
         let half = 1_u128 << (dropped - 1);
         let is_up = rest > half || (rest == half && integer & 1 == 1);
-        // The hidden bit, and a carry from the fraction, increment the exponent.
+        // The exponent field starts one too low; the hidden bit in `integer` increments it.
         let binade = exponent.max(format.lowest) - format.lowest;
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
-    /// Returns n and e with |numerator| ≈ n·2^e and n ≥ 2⁶³. If this is inexact, n is odd, so that
-    /// rounding n to fewer bits rounds the numerator correctly.
+    /// Returns n and e with |numerator| ≈ n·2^e and n ≥ 2⁶³. If digits are cut off, the last bit of
+    /// n is 1. Therefore rounding n to fewer bits rounds the numerator correctly.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

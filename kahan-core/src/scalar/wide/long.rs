@@ -34,7 +34,7 @@ enum Number {
     Most(Box<Most>),
 }
 
-/// Evaluates an expression for a number of any capacity.
+/// Evaluates the same expression for the digits of a long number, whichever capacity it has.
 macro_rules! of_any_capacity {
     ($number:expr, |$digits:ident| $value:expr) => {
         match $number {
@@ -123,8 +123,8 @@ impl LongNumber {
         self.leading().radius() * Size::from(1e40) <= self.at_most()
     }
 
-    /// Returns whether a larger capacity would not help, because all components are known, or
-    /// because a known one is out of range. Each `bool` says whether its component is in range.
+    /// Returns whether a larger capacity would not help: all components are known, or a known one
+    /// is out of range. Each `bool` says whether its component is in the scalar's range.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);

@@ -1,9 +1,9 @@
 //! Software floats with sparse digits and an error radius, which prove the error bound of a step.
 //!
-//! A number is a [row](rows) of at most D nonzero base-2⁶⁴ digits over a 64-bit denominator. The
-//! *radius* bounds the total of the digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats
-//! and divisions by zero are *undefined*, and so are all results from them. Zeros between these
-//! digits are not stored: a determinant of six variables may add terms from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
+//! The numerator of a number is a [row](rows) of at most D nonzero digits to the base 2⁶⁴, and the
+//! denominator has 64 bits. Zero digits are not stored, because nonzero digits may be far apart.
+//! The *radius* bounds the sum of all digits that were cut off. Numbers beyond 2^(64·2⁴⁰),
+//! non-finite floats and divisions by zero are *undefined*, and so are all results from them.
 
 mod arithmetic;
 mod convert;
@@ -30,7 +30,7 @@ pub(crate) type Wide = Digits<17, 40>;
 /// The largest magnitude of a number's exponent to the base 2⁶⁴.
 const MAX_PLACE: u64 = 1 << 40;
 
-/// A number of at most D digits: Σ digit·2^(64·(place − below)) / denominator over the digits.
+/// A number of at most D digits: Σᵢ digitsᵢ·2^(64·(place − belowᵢ)), divided by the denominator.
 ///
 /// Rows of intermediate results have M = 2D + 6 digits. An operation adds at most
 /// 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT)·|result| to the radius.

@@ -33,13 +33,13 @@ impl<const M: usize> DigitRow<M> {
     /// The minimum number of correct bits of an estimated quotient.
     const GUESSED: usize = if Self::IS_LONG { 64 * (LEADING - 2) } else { 48 };
 
-    /// The number of division rounds. Each round reduces the remainder by the factor 2^−GUESSED.
+    /// The number of rounds of a division. Each round determines `GUESSED` bits of the quotient.
     const ROUNDS: usize = 64 * (M / 2 - 2) / Self::GUESSED + 1;
 
     pub(super) const EMPTY: Self =
         Self { digits: [(0, 0); M], start: M, cut: Size { exponent: 0, mantissa: 0.0 } };
 
-    /// Adds the low 64 bits of `total` as the leading digit. Returns the carry to the next place.
+    /// Adds the low 64 bits of `total` as the new leading digit, and returns the other bits.
     fn settle(&mut self, place: i64, total: i128) -> i128 {
         let digit = total as i64;
         if digit != 0 {
@@ -175,7 +175,7 @@ impl<const M: usize> DigitRow<M> {
         let (&(top, _), &(low, _)) = (these.first()?, these.last()?);
         let (&(factor_top, _), &(factor_low, _)) = (those.first()?, those.last()?);
         let lowest = low + factor_low;
-        // A carry reaches at most two places further.
+        // Carries need at most two places above the sum of the leading places.
         let places = usize::try_from(top + factor_top - lowest).ok().filter(|span| span + 3 <= M)? + 3;
         if !self.cut.is_zero() {
             return None;
@@ -214,8 +214,8 @@ impl<const M: usize> DigitRow<M> {
         parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }
 
-    /// Returns q and r with self = q·divisor + r exactly, for a nonzero divisor. The quotient
-    /// r/divisor is smaller than one unit of the last digit of q that `Digits` stores.
+    /// Returns q and r with self = q·divisor + r exactly, for a nonzero divisor. |r/divisor| is
+    /// less than one unit of the last digit that `Digits` keeps of q.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {

@@ -55,8 +55,8 @@ fn check_sums(seed: u64, count: usize) {
     }
 }
 
-/// Each operation nearly reaches its bound at these operands. Those of the sum are from the paper
-/// of Joldeş, Muller and Popescu, and a search found the others.
+/// Each operation nearly reaches its bound at these operands. The operands of the sum are from the
+/// paper by Joldeş, Muller and Popescu, and a search found the others.
 #[test]
 fn the_bounds_are_nearly_reached() {
     let of_bits = |high: u64, low: u64| Dd::new(f64::from_bits(high), f64::from_bits(low));

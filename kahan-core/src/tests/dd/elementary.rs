@@ -26,8 +26,8 @@ fn fixed(x: Dd) -> BigInt {
     part(x.high()) + part(x.low())
 }
 
-/// Returns the sum of terms from `first` on. Each term is the previous term, times y, divided by
-/// the next `step` numbers.
+/// Sums a series with the first term `first`. Each further term is the previous term times y,
+/// divided by the next `step` integers after n.
 fn series(first: BigInt, mut n: u32, step: u32, y: &BigInt) -> BigInt {
     let (mut term, mut sum) = (first, BigInt::zero());
     while !term.is_zero() {
@@ -42,7 +42,7 @@ fn series(first: BigInt, mut n: u32, step: u32, y: &BigInt) -> BigInt {
 }
 
 fn exp(x: &BigInt) -> BigInt {
-    // With e^x = (e^(x/2¹⁰))^(2¹⁰), the relative error of all roundings stays below 2⁻⁶⁰⁰.
+    // After ten squarings, the relative error of all roundings is below 2⁻⁶⁰⁰.
     let mut power = series(one(), 0, 1, &(x >> 10));
     for _ in 0..10 {
         power = (&power * &power) >> BITS;

@@ -47,7 +47,7 @@ impl Operands {
         let high = self.float(exponent);
         let gap = match self.below(8) {
             0 => return Dd::from(high),
-            // The low part is between a quarter and a half of a unit in the last place of `high`.
+            // This gap makes the low part a quarter to a half of an ulp of `high`.
             1..=5 => 54,
             6 => 53 + self.between(1, 8),
             _ => 53 + self.between(1, 60),

@@ -87,7 +87,7 @@ fn new_normalises_in_any_order() {
     for x in [Dd::new(1.0, tiny), Dd::new(tiny, 1.0)] {
         assert_eq!((x.high(), x.low()), (1.0, tiny));
     }
-    // Ties go to even, and therefore every number has one representation.
+    // Both sums are the same tie between two floats. The even float becomes the high part.
     assert_eq!(Dd::new(1.0, f64::EPSILON / 2.0), Dd::new(1.0 + f64::EPSILON, -f64::EPSILON / 2.0));
     let infinite = Dd::new(f64::MAX, f64::MAX);
     assert_eq!((infinite.high(), infinite.low()), (f64::INFINITY, 0.0));

@@ -62,7 +62,7 @@ pub(super) fn singles(rows: Square<f32>) -> Square<f32> {
     ];
     let mut square = [[0.0; 4]; 4];
     for k in 0..4 {
-        // Each pointer is valid for the four numbers of its row.
+        // Each row of `square` has room for the four numbers that are stored here.
         machine!(_mm_storeu_ps(square[k].as_mut_ptr(), columns[k]));
     }
     square

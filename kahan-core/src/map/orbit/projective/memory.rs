@@ -8,7 +8,7 @@ use nalgebra::SMatrix;
 
 use crate::Scalar;
 
-/// If no pivot is smaller than this, relative to its column, a step loses at most ten bits.
+/// The smallest allowed pivot relative to its column, so that a step loses at most ten bits.
 const LEAST_PIVOT: f64 = 1.0 / 1024.0;
 
 #[inline(always)]
@@ -24,8 +24,7 @@ pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N,
     (0..N).all(|i| (0..N).map(|j| slope(matrix, i, j)).sum::<f64>() <= 0.5)
 }
 
-/// Returns whether A = I − εf′ is far from singular: in A or its transpose, every pivot is at least
-/// `LEAST_PIVOT`·(1 + s), where s is the sum of |εf′| over the pivot's column.
+/// Returns whether no pivot of A = I − εf′, or none of its transpose, is small beside its column.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     if has_small_slopes(matrix) {
         return true;

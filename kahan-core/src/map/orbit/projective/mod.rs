@@ -24,10 +24,10 @@ use passage::{NoLimit, Passage, PassagePoint};
 pub use passage_scalar::ThroughPoles;
 pub use point::ProjectivePoint;
 
-/// After this number of steps, points that a pole mapped to one point are assumed to stay together.
+/// After this number of steps, a passage through a pole ends at its next finite point.
 const MOST_STEPS: usize = 12;
 
-/// The maximum number of variables for which the orbit follows lines, because matrices lie on the
+/// The maximum number of variables for passages through poles. Larger matrices would need too much
 /// stack.
 const MOST_VARIABLES: usize = 32;
 
@@ -115,7 +115,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         None
     }
 
-    /// Returns the next point in all cases that `next` does not handle itself.
+    /// Returns the first point, a point of a passage, or the next point if `next` rejected it.
     #[cold]
     fn next_beyond_steps(&mut self) -> Option<ProjectivePoint<T, N>> {
         match mem::replace(&mut self.at, OrbitPosition::Nowhere) {

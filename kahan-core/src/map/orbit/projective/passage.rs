@@ -16,7 +16,7 @@ use super::ThroughPoles;
 use super::delta_series::DeltaSeries;
 use super::point::ProjectivePoint;
 
-/// Arbitrary components of directions; small integers would often lie in a special plane.
+/// The components of the directions of lines, chosen arbitrarily.
 const LINE_SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
 
 fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {

@@ -54,7 +54,7 @@ macro_rules! implement_for_float {
                 eps: &Self,
                 is_flat: &mut bool,
             ) -> bool {
-                // If x and x̃ − x nearly cancel, x̃ has too few digits, and is rejected.
+                // If x̃ is much smaller than x, too many digits cancelled in x + (x̃ − x).
                 let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
                 let was_flat = mem::replace(is_flat, has_small_slopes(&map.matrix(next, -*eps)));
                 let is_finite = next.iter().all(Pivot::is_finite_number);

@@ -55,7 +55,7 @@ impl<T: Scalar, const N: usize> From<SVector<T, N>> for ProjectivePoint<T, N> {
     }
 }
 
-/// A coordinate is treated as equal to the largest if it is smaller by at most this fraction.
+/// Coordinates count as equal to the largest if they differ by at most this fraction of it.
 const TIE_TOLERANCE: f64 = 1.0 / (1_u32 << 20) as f64;
 
 pub(super) fn first_of_the_largest<T: Pivot>(coordinates: &[T]) -> usize {

@@ -78,7 +78,7 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
     }
 }
 
-/// The factor `SLACK` covers (1+u)⁴⁰ − 1 − 40·u and the downward rounding of magnitudes.
+/// The factor `SLACK` covers 40 roundings, and the downward rounding of magnitudes.
 #[test]
 fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
     with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));
@@ -127,7 +127,6 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
     let one = Beside::<COARSE>::from_input(1.0);
-    // The divisor is (1+u)³ − d. The magnitudes 1 and d of its terms are added.
     let divisor = |d: f64| off_by(EXACTLY, || rounded_up::<COARSE>(3).minus(&Beside::from_input(d)));
     let mut seen = [0, 0];
     for step in 0..1000 {
@@ -253,7 +252,7 @@ fn units_are_those_of_the_operations() {
     use crate::Dd;
     let u = f64::EPSILON / 2.0;
     assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
-    // A `Dd` quotient errs by at most 14u², and a product by 16u². A multiply-add counts as two
-    // roundings; it errs by at most 16u² times the product plus 5u² times the result.
+    // A `Dd` quotient errs by at most 14u², and a `Dd` product by at most 16u². A multiply-add
+    // counts as two roundings, and errs by at most 16u² of the product plus 5u² of the result.
     assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

@@ -124,7 +124,7 @@ where
             let Ok(exact) = &exact else { panic!("a value at a pole: {x:?}, {eps}") };
             let (error, size) = compared(&attempt.next, exact);
             let computed = attempt.next.iter().map(|next| f64::from(next.size())).fold(0.0, f64::max);
-            // The bound excludes the roundings of the last product and of its sum with x.
+            // `attempt.bound()` excludes the roundings of the last product and of its sum with x.
             let own = 2.0 * Number24::UNIT * (computed + size);
             let bound = attempt.bound() * computed;
             assert!(error <= bound + own, "{error:e} beyond {bound:e} at {x:?}, {eps}");
@@ -233,7 +233,7 @@ fn what_is_not_finite_is_no_result() {
     assert!(zero[0].is_zero());
 }
 
-/// At one value of h the leading terms cancel, and the rest is smaller by a factor of 2⁻²⁰⁰⁰.
+/// At h = ±1 the linear terms of f have determinant 0. Therefore the leading terms of det A cancel.
 #[test]
 fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     crate::kahan! {

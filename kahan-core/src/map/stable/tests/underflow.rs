@@ -1,5 +1,5 @@
-//! Tests values near underflow. The error η of an underflow is amplified as far as the range
-//! permits.
+//! Tests that error bounds cover underflow. The largest permitted inputs amplify the underflow
+//! error η most.
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -152,7 +152,7 @@ mod premises {
 
     #[test]
     fn no_more_operations_underflow_than_the_allowance_is_made_for() {
-        // Factors ½ do not enlarge a product; only the number of operations is too large.
+        // Factors ½ keep the products small. Only the number of operations exceeds its limit.
         let half = |roundings| Bounded::<Worst<FINEST>>::literal(Worst::of_float(0.5), roundings);
         let product = |count: u32, roundings: u32| {
             (0..count).fold(half(0), |product, _| product * half(roundings)).largest_input()
@@ -246,7 +246,7 @@ mod premises {
         }
     }
 
-    /// The allowance covers 2¹⁰ errors 2ᴮ·η, for products up to 2ᴮ and underflow errors up to η.
+    /// The allowance is 2¹⁰·2ᴮ·η for products of at most 2ᴮ and underflow errors of at most η.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {
@@ -296,7 +296,7 @@ fn a_weight_of_a_chain_allows_for_underflow() {
     assert!(error <= bound && error > 16.0 * Worst::<FINEST>::UNIT);
 }
 
-/// Tests the limits on inputs with the floats of the processor.
+/// Tests the limits on inputs by computations with hardware floats.
 macro_rules! floats_at_the_end_of_their_range {
     ($($name:ident: $float:ty, $least:expr;)*) => {$(
         #[test]

@@ -8,7 +8,7 @@ use crate::Scalar;
 
 const TRIALS: usize = 2_000;
 
-/// Asserts error ≤ radius ≤ unit, for the result of an operation on exact operands.
+/// Asserts error ≤ radius ≤ 2^`UNIT_EXPONENT`·|exact|, for an operation on exact operands.
 fn assert_close(computed: Wide, exact: &Dyadic, what: &str, operands: [Wide; 2]) {
     let (error, radius) = (Dyadic::of(computed).minus(exact), Dyadic::size(computed.radius()));
     assert!(error.is_within(&radius.scaled_up()), "{what} of {operands:?} is {computed:?}");
@@ -83,7 +83,7 @@ fn digits_lie_where_they_are_needed() {
         assert!(rest.radius().is_zero() && rest == parts[0]);
         let longer = sum + part(20, random.bits());
         let cut = longer.radius();
-        // The lowest digit is cut off. The bound may add one unit of this digit.
+        // The lowest digit is cut off. The radius bounds this digit, and is not much larger.
         assert!(Dyadic::of(parts[0]).is_within(&Dyadic::size(cut)));
         assert!(Dyadic::size(cut).is_within(&Dyadic::of(parts[0] + Wide::one().scaled(-64 * 50 + 14))));
     }

@@ -65,7 +65,7 @@ fn beyond_the_doubles_a_size_goes_on_and_beyond_its_range_nothing_is_known() {
     assert!(tiny * tiny > Size::zero() && huge * huge > huge);
     assert_eq!((f64::from(tiny * tiny), f64::from(huge * huge)), (0.0, f64::INFINITY));
     assert_eq!(f64::from(huge * huge * tiny * tiny).round(), 1.0);
-    // The difference of the exponents exceeds 64 bits.
+    // The exponents differ by more than a 64-bit integer can hold.
     let edge = |exponent| Size::from(1.5).scaled(exponent);
     assert_eq!(edge(i64::MAX - 1) + edge(i64::MIN + 1), edge(i64::MAX - 1));
     let unknown = edge(i64::MAX - 1) * edge(i64::MAX - 1);

@@ -32,11 +32,11 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN_BITS) { leading } else { entry }
 }
 
-/// If inverse steps lose more bits, a passage through a pole does not count as one-to-one.
+/// The number of bits that inverse steps may lose if a passage is to count as one-to-one.
 const MAX_LOST_BITS: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// Attempts: one with δ = 0, for points near a pole; then two with δ > 0, each on other lines.
+    /// One attempt has δ = 0, for points near a pole. Two have δ > 0 and follow different lines.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {

@@ -26,7 +26,7 @@ pub(super) trait DeltaSeries<T: Scalar>: Scalar {
     /// Returns δ, which is 0 in an attempt without perturbation.
     fn delta(effort: usize) -> Self;
 
-    /// Returns the magnitude of a point, to which δ is relative.
+    /// Returns the magnitude of a point. The perturbation δ is relative to this magnitude.
     fn unit(point: &[T]) -> Self;
 
     /// Returns the limit of a point as δ → 0, relative to `unit`. Returns `None` if the digits of
@@ -38,8 +38,8 @@ pub(super) trait DeltaSeries<T: Scalar>: Scalar {
     ) -> Option<ProjectivePoint<T, N>>;
 
     /// Returns whether the steps from the start of a passage to `point` are one-to-one near the
-    /// start, or `None` if the numbers have too few digits. `derivative` is the Jacobian of the
-    /// steps back.
+    /// start. Returns `None` if the numbers have too few digits. `derivative` is the Jacobian of
+    /// the inverse steps.
     fn is_one_to_one<const N: usize>(
         derivative: &SMatrix<Self, N, N>,
         point: &SVector<Self, N>,
