@@ -55,7 +55,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits `prepare`, which precomputes the step's constants, and `jacobian` by dual numbers.
+/// Emits `prepare`, which computes the step's constants, and `jacobian`, which uses dual numbers.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {
@@ -116,7 +116,7 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the function that maps tangent vectors at `x` to tangent vectors at its image `y`.
+/// Emits `carry_tangent`, which multiplies a tangent vector at `x` by the step's Jacobian.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.tangent_map()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());

@@ -4,8 +4,8 @@ use kahan_algebra::derived::{ValueName, ValueNames};
 use kahan_algebra::plan::{Node, Operation};
 use proc_macro2::{Ident, Span};
 
-/// Returns the name of a value, such as `__c_3` for the constant 3. Values without a short
-/// description get a kind and a number, such as `__sum_1`.
+/// Returns the name of a value, such as `__c_3` for the constant 3. A value without a descriptive
+/// name gets a kind and a number, such as `__sum_1`.
 pub(super) fn binding(names: &mut ValueNames, node: Node, operation: &Operation) -> Ident {
     let ratio = match operation {
         Operation::Constant(value) => value.as_small_ratio(),

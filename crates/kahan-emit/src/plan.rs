@@ -21,7 +21,7 @@ use super::number::emit_constant;
 /// Values nested deeper than this get a `let`: deep expressions overflow the stack of rustc.
 const MAX_NESTING: usize = 24;
 
-/// The Rust code of a plan. Results are evaluated in order: the last use of a binding moves it.
+/// The Rust code of a plan. Results must be evaluated in order, as the last use moves a binding.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -80,7 +80,7 @@ struct Emitter<'a> {
     has_fences: bool,
     /// For each value, the number of uses that are not yet written.
     uses: Vec<usize>,
-    /// For each value, the nesting depth of its expression. Operands with a `let` do not count.
+    /// For each value, the nesting depth of its expression. An operand with a `let` adds no depth.
     depths: Vec<usize>,
     lets: Vec<Option<Ident>>,
     names: ValueNames,
@@ -134,7 +134,7 @@ impl<'a> Emitter<'a> {
         Emitted { bindings: self.bindings, results }
     }
 
-    /// Returns the operands in the Rust code. The code of a reciprocal 1/b contains only b.
+    /// Returns the operands in the Rust code of `operation`. For a reciprocal 1/b this is only b.
     fn operands(&self, operation: &Operation) -> impl Iterator<Item = Node> + use<> {
         let written = usize::from(self.reciprocal_of(operation).is_some());
         operation.operands().skip(written)

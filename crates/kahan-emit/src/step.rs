@@ -66,7 +66,7 @@ impl<'a> NamedStep<'a> {
         Literal::usize_unsuffixed(self.names.len())
     }
 
-    /// Expands to an array such as `[eps.clone(), …]`, or to a block that computes the array.
+    /// Expands to the array of constants: `[eps.clone(), …]`, or a block that computes it.
     fn emit_constants(&self) -> TokenStream {
         let symbols = &self.context.system.field.symbols;
         let inputs = emit_inputs(&self.plan.constants, symbols);
@@ -87,7 +87,8 @@ impl<'a> NamedStep<'a> {
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();
         let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
-        // Unless all results share one reciprocal, each use is an output, to save a clone.
+        // Unless all results share one reciprocal, the kernel outputs a reciprocal once for each of
+        // its uses. This saves a clone.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {

@@ -39,8 +39,8 @@ impl fmt::Display for ExpansionTextError {
 
 impl Error for ExpansionTextError {}
 
-/// Returns the formatted expansion of `kahan! { block }`. If the expansion is an expression, it is
-/// put into a function.
+/// Returns the formatted expansion of `kahan! { block }`, in which `core` is the path of the core
+/// crate. An expansion that is an expression is put into a function.
 ///
 /// # Errors
 /// If the block does not consist of Rust tokens, or if the expansion is too long.

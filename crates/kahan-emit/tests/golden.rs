@@ -28,7 +28,7 @@ const BLOCKS: [(&str, &[&str]); 7] = [
 struct Shown(BTreeSet<String>);
 
 impl Shown {
-    /// Returns the expansion without functions that were shown before, and records the others.
+    /// Returns the expansion of `block`, without functions that earlier calls returned.
     fn rest(&mut self, block: &str, functions: &[&str]) -> String {
         let tokens = expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens;
         if let Ok(mut value) = syn::parse2::<Block>(tokens.clone()) {

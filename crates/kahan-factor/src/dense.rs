@@ -109,9 +109,9 @@ pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     monic(field, &a)
 }
 
-/// Returns the inverse of a modulo `modulus`. Returns `None` if both have a common divisor.
+/// Returns the inverse of a modulo `modulus`, or `None` if a and `modulus` have a common divisor.
 pub(super) fn inverse(field: PrimeField, a: &[u64], modulus: &[u64]) -> Option<Dense> {
-    // Each pair (r, s) satisfies r = s·a modulo `modulus`.
+    // Both `upper` and `lower` are pairs (r, s) with r = s·a modulo `modulus`.
     let (mut upper, mut lower) = ((modulus.to_vec(), vec![]), (remainder(field, a, modulus), vec![1]));
     while lower.0.len() > 1 {
         let (quotient, rest) = quotient_and_rest(field, &upper.0, &lower.0);

@@ -1,10 +1,10 @@
 //! Factors multivariate polynomials over ℚ into powers of irreducible primitive polynomials.
 //!
-//! Variables that divide all terms are divided out. All variables but one are set to numbers. The
+//! Variables that divide all terms are split off. All variables but one are set to numbers. The
 //! resulting univariate image is factored (`univariate`), and its factors are lifted to the other
 //! variables (`multivariate`, `sparse`, `series`). Dividing the polynomial by the lifted factors
-//! proves them right. A factor with an irreducible image is irreducible. Seeded random points
-//! affect the speed, and whether all factors are found. A budget limits the work.
+//! proves them right. A factor with an irreducible image is irreducible. The numbers are random,
+//! and affect only the speed and the completeness of the result. A budget limits the work.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -46,12 +46,12 @@ const SQUARE_FREE_WORK: u64 = 4_000_000;
 
 /// Returns the irreducible factors over ℚ by the methods of Zassenhaus (1969) and Wang (1978).
 ///
-/// If the budget runs out, `is_complete` is false. The factors are then only square-free, or not
-/// even that if the gcds are too expensive. Their product is the polynomial in every case.
+/// If the budget runs out, `is_complete` is false, and the factors may be reducible. They are still
+/// square-free unless the gcds are too expensive. Their product is the polynomial in every case.
 ///
 /// An irreducible polynomial costs one pass over its terms for each variable and one univariate
-/// factorisation. Products of factors with t terms in n variables cost about n·t lifts of bivariate
-/// polynomials. Ten million units of work last a few seconds at most.
+/// factorisation. Products of factors with t terms each, in n variables, cost about n·t lifts of
+/// bivariate polynomials. A budget of ten million lasts a few seconds at most.
 pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
     if polynomial.is_zero() {
         return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
@@ -112,8 +112,8 @@ fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     })
 }
 
-/// Splits off the factors without the variable `main`. They divide every coefficient of a power of
-/// `main`, so they are found among the factors of the shortest coefficient.
+/// Splits off the factors that do not contain `main`. They divide each coefficient of the
+/// polynomial in `main`, so they are factors of the shortest coefficient.
 fn content(
     polynomial: &Polynomial,
     main: Variable,

@@ -55,7 +55,7 @@ pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitM
             continue;
         }
         let draw = dense::trimmed((1..product.len()).map(|_| field.sample(rng)).collect());
-        // For random `draw`, `norm`^((p − 1)/2) is 1 modulo about half of the irreducible factors.
+        // For random `draw`, its norm to the power (p − 1)/2 is 1 modulo about half of the factors.
         // The gcd with this power minus 1 splits them off.
         let (mut conjugate, mut norm) = (draw.clone(), draw);
         for _ in 1..part.degree {

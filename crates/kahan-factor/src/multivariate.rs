@@ -151,8 +151,8 @@ impl Image {
         Ok(None)
     }
 
-    /// Tests whether `lead.whole`·∏ cᵢ^kᵢ = `whole`·∏ mᵢ^kᵢ at one point modulo a prime, where cᵢ
-    /// are the candidates, mᵢ the multipliers, and kᵢ the exponents of the factors.
+    /// Tests at one point modulo a prime whether the product of the candidates' powers is `whole`,
+    /// up to leading coefficients. The leading coefficient of a candidate is its multiplier.
     fn agrees_at_point(
         &self,
         whole: &Polynomial,
@@ -224,7 +224,7 @@ impl LeadingCoefficient {
         Ok(product)
     }
 
-    /// Removes factors of the leading coefficient from `polynomial`. Returns the primitive part.
+    /// Removes factors of the leading coefficient `self`, and returns the primitive part.
     fn without_multiplier(
         &self,
         polynomial: Polynomial,

@@ -19,7 +19,7 @@ pub fn root(field: PrimeField, coefficients: &[u64], mut draw: impl FnMut() -> u
         let power = dense::power(field, base, exponent, polynomial);
         dense::gcd(field, polynomial, &dense::difference(field, &power, less))
     };
-    // For the prime p, all field elements are simple roots of xᵖ − x. The gcd keeps each root once.
+    // For the prime p, each field element is a simple root of xᵖ − x. The gcd keeps these roots.
     let mut roots = common(&polynomial, &[0, 1], field.prime(), &[0, 1]);
     for _ in 0..MOST_DRAWS {
         match roots.len() {

@@ -1,16 +1,16 @@
-//! Lifts factors at y = point to factors in x and y (Hensel's lemma).
+//! Lifts factors of a polynomial in x and y from y = point to all y (Hensel's lemma).
 //!
 //! The lift works with monic polynomials in x whose coefficients are power series in t = y − point.
-//! At the end each monic factor is multiplied by a multiple of its true leading coefficient, so
-//! that the series become polynomials (Geddes, Czapor and Labahn, Algorithms for Computer Algebra,
-//! 1992, section 6.6). Powers of factors are lifted as a whole, and roots are taken at the end.
+//! At the end each monic factor is multiplied by a polynomial in y that makes the series
+//! polynomials (Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, section 6.6).
+//! Powers of factors are lifted as a whole, and roots are taken at the end.
 
 use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// The coefficients of a polynomial in x and y. Row i holds the coefficients of xⁱ by powers of y
-/// or of t = y − point.
+/// The coefficients of a polynomial in x and y. Row i holds the coefficient of xⁱ, which is a
+/// polynomial in y or in t = y − point.
 pub(super) type BivariateCoefficients = Vec<Vec<u64>>;
 
 pub(super) struct LiftingProblem<'a> {
@@ -110,8 +110,9 @@ fn transposed(rows: &[Dense], columns: usize) -> BivariateCoefficients {
 
 /// Returns the monic polynomial in x whose k-th power is `power`, where k is `exponent`.
 ///
-/// For degree d, let `power` be x^(kd)·Σ hₗ·x^(−l) and the root x^d·Σ rₘ·x^(−m), with h₀ = r₀ = 1.
-/// Then m·rₘ = Σ_{l=1..m} (l/k − (m − l))·hₗ·r_{m−l} (Knuth, The Art of Computer Programming 4.7).
+/// Let h₀ = 1, h₁, … and r₀ = 1, r₁, … be the coefficients of `power` and of the root, leading ones
+/// first. Then m·rₘ = Σ_{l=1..m} (l/k − (m − l))·hₗ·r_{m−l} (Knuth, The Art of Computer Programming
+/// 4.7).
 fn root(
     field: PrimeField,
     power: BivariateCoefficients,

@@ -16,7 +16,7 @@ use super::dense::{self, Dense};
 use super::series::{self, BivariateCoefficients, LiftingProblem};
 use super::vandermonde;
 
-/// The coefficients of a polynomial over a prime field by exponents. The main variable comes first.
+/// A polynomial over a prime field. Maps exponents (main variable first) to coefficients.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 
 /// A polynomial to factor, and the factors of an image in the main variable.
@@ -155,7 +155,7 @@ fn column(rows: &BivariateCoefficients) -> Dense {
     dense::trimmed(rows.iter().map(|row| row[0]).collect())
 }
 
-/// Returns the value of a monomial without its main variable.
+/// Returns the value of a monomial at `base`. The power of the main variable is left out.
 fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     let powers = exponents[1..].iter().zip(base);
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))

@@ -39,8 +39,8 @@ pub(super) fn yun(
     let quotient = |a: &Polynomial, b: &Polynomial, budget: &mut Budget| {
         Ok(a.div_within(b, budget)?.expect("a common divisor divides"))
     };
-    // Let the polynomial be ∏ fᵢⁱ, and fᵢ′ the derivatives by `main`. Step k has left = ∏_{i≥k} fᵢ
-    // and slope = Σ_{i≥k} (i − k + 1)·fᵢ′·∏_{j≥k, j≠i} fⱼ.
+    // Write ∏ fᵢⁱ for the polynomial and fᵢ′ for the derivatives by `main`. Before step k, `left`
+    // is ∏_{i≥k} fᵢ and `slope` is Σ_{i≥k} (i − k + 1)·fᵢ′·∏_{j≥k, j≠i} fⱼ.
     let mut left = quotient(polynomial, &repeated, budget)?;
     let mut slope = quotient(&derivative, &repeated, budget)?;
     let mut factors = Vec::new();

@@ -153,7 +153,7 @@ fn recombine(
             for &index in chosen.iter().rev() {
                 factors.remove(index);
             }
-            // All smaller sets were tried before, so continue with the first set of this size.
+            // No smaller set of these factors gives a factor, so continue with this size.
             chosen = (0..chosen.len()).collect();
         } else if !next_subset(&mut chosen, factors.len()) {
             chosen = (0..=chosen.len()).collect();
@@ -178,8 +178,8 @@ fn next_subset(chosen: &mut [usize], count: usize) -> bool {
     true
 }
 
-/// Returns the primitive part of the product of the chosen factors and the leading coefficient of
-/// `whole`. Coefficients are residues of least absolute value modulo `modulus`.
+/// Multiplies the chosen factors by the leading coefficient of `whole`, and takes residues of least
+/// absolute value modulo `modulus`. Returns the primitive part of the result.
 fn candidate<'a>(
     whole: &Integers,
     factors: impl Iterator<Item = &'a Integers>,

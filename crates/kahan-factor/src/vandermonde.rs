@@ -7,7 +7,7 @@ use super::dense::{self, Dense};
 /// For each column (v₁, v₂, …), returns the cᵢ with Σᵢ cᵢ·mᵢ^k = vₖ for all k, where mᵢ are the
 /// nodes. Returns `None` if a node is 0 or two nodes are equal.
 ///
-/// The product q(z) = ∏_{j≠i} (z − mⱼ) has coefficients qₖ with Σ qₖ·v_{k+1} = cᵢ·mᵢ·q(mᵢ).
+/// For each i, let q(z) = ∏_{j≠i} (z − mⱼ) = Σₖ qₖ·z^k. Then Σₖ qₖ·v_{k+1} = cᵢ·mᵢ·q(mᵢ) gives cᵢ.
 pub(super) fn solutions(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {
     let master = nodes.iter().fold(vec![1], |all, &node| dense::product(field, &all, &[field.neg(node), 1]));
     nodes

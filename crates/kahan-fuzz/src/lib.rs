@@ -14,7 +14,7 @@ mod run;
 mod texts;
 mod words;
 
-// Files of `kahan-jit` that are included in this crate refer to these names as `crate::…`.
+// Source files of `kahan-jit` are included in this crate, and refer to these names as `crate::…`.
 use kahan_jit::{
     CalledFunction, CompileError, ComposedOrbit, Constants, Float, Function, Input, Instruction,
     InstructionSet, LaneCount, Orbit, Program, Shape, Sweep,

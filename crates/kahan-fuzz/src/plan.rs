@@ -87,7 +87,7 @@ const WORDS: &[&str] = &[
     "kind = \"orbit\"\nsteps = 3\n",
 ];
 
-/// Reads a sweep plan from a text. A plan without mistakes must have points.
+/// Reads a sweep plan from a text. An accepted plan has at least one point.
 pub fn read_plan(bytes: &[u8]) {
     let Some(text) = text(bytes, WORDS) else { return };
     match Plan::read(&text, "plan.toml") {

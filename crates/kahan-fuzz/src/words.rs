@@ -1,6 +1,6 @@
 //! Makes texts from bytes.
 
-/// Returns a text for a parser: the bytes themselves, or one token of `words` for each byte.
+/// Returns the bytes after the first as a text, or as tokens of `words` if the first byte is odd.
 pub(crate) fn text(bytes: &[u8], words: &[&str]) -> Option<String> {
     let (&first, rest) = bytes.split_first()?;
     if first % 2 == 0 {

@@ -12,7 +12,7 @@ use crate::pages::Pages;
 /// The minimum sizes of the arrays that the code reads and writes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MemoryExtent {
-    /// The number of lanes of a register. The other fields are lengths of arrays, in registers.
+    /// The number of lanes of a register. The other fields are array lengths in units of `width`.
     pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
@@ -38,9 +38,8 @@ impl<T: 'static> Code<T> {
     /// # Safety
     /// The bytes must begin with a function on numbers of type `T`, in instructions of this
     /// processor. Its calling convention must be that of System V on x86-64, or of C on 64-bit Arm.
-    /// Afterwards, only the method of `Code` whose arguments match those of the function may be
-    /// called. If the slices have the lengths in `extent`, the function must access no other memory
-    /// than these slices and its stack.
+    /// If its arrays have the lengths in `extent`, it must access only them and its stack. Callers
+    /// may call only methods of `Code` that pass the arguments of this function.
     pub(crate) unsafe fn new(bytes: &[u8], extent: MemoryExtent) -> Result<Self, CompileError> {
         Ok(Code { pages: Pages::new(bytes).map_err(CompileError::Pages)?, extent, floats: PhantomData })
     }
@@ -65,7 +64,7 @@ impl<T: 'static> Code<T> {
         unsafe { self.enter([state, read(constants), step_count(steps), state, 0]) }
     }
 
-    /// Makes one step from `state` to `next`, by code that writes states only at its end.
+    /// Makes one step from `state` to `next`. The code must write states only at its end.
     pub(crate) fn orbit_step(&self, state: &[T], constants: &[T], next: &mut [T]) {
         self.check(state, constants);
         self.check(next, constants);
@@ -105,8 +104,8 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). If `own` is true, each group of
-    /// trajectories that share a SIMD register has its own constants.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). If `own` is true, `constants` holds one
+    /// set for each group of trajectories that share a SIMD register.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
         /// The length of the address table for few columns. A longer table takes longer to clear.
         const FEW: usize = 32;
@@ -146,8 +145,8 @@ impl<T: 'static> Code<T> {
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
         let bytes = |numbers: usize| numbers * size_of::<T>();
         // SAFETY: the columns have equal lengths, which are multiples of the register width, and
-        // are borrowed exclusively. The table holds their addresses. The constants are long enough
-        // for the last register.
+        // are borrowed exclusively. The table holds their addresses. By the assertion, `constants`
+        // holds every set that the code reads.
         unsafe { self.enter([read(&table), bytes(len), read(constants), bytes(stride), step_count(steps)]) }
     }
 

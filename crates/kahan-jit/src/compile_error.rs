@@ -20,7 +20,7 @@ pub enum CompileError {
     },
     /// An operation reads a later or nonexistent operation, or a result is a nonexistent operation.
     Malformed,
-    /// On 64-bit Arm, machine code runs only on Linux and Android.
+    /// The system is not supported. On 64-bit Arm, machine code runs only on Linux and Android.
     System,
     /// The operating system refused executable memory.
     Pages(std::io::Error),

@@ -55,8 +55,8 @@ impl InstructionSet {
         Ok(())
     }
 
-    /// Returns the extensions that the code needs. Code for a larger set also uses encodings of the
-    /// smaller sets.
+    /// Returns the extensions that the code needs, including those of smaller sets, whose
+    /// instructions it also uses.
     pub(crate) fn extensions(self) -> &'static [Extension] {
         #[cfg(target_arch = "x86_64")]
         macro_rules! extensions {
@@ -71,8 +71,8 @@ impl InstructionSet {
         match self {
             Self::Avx => extensions!["avx"],
             Self::Avx2 => extensions!["avx", "avx2", "fma"],
-            // Registers from number 16 on need AVX-512F; instructions on fewer than 512 of their
-            // bits also need AVX-512VL.
+            // Registers 16 to 31 need AVX-512F. Instructions on less than 512 bits of them also
+            // need AVX-512VL.
             Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
             Self::Neon => &[],
         }

@@ -1,9 +1,9 @@
 //! Compiles straight-line floating-point programs to machine code.
 //!
-//! A [`Program`] reads arrays of states and of constants. Its code computes in `f64` or `f32`, on
-//! numbers or SIMD lanes: once ([`Function`]), repeatedly on one state ([`Orbit`],
-//! [`ComposedOrbit`]), or over columns of trajectories ([`Sweep`]). Results equal those of
-//! generated Rust code bit for bit. Without the feature `pages` every program is refused.
+//! A [`Program`] reads arrays of states and of constants. A [`Function`] runs it once, an [`Orbit`]
+//! or [`ComposedOrbit`] iterates it on one state, and a [`Sweep`] on many. The code computes in
+//! `f64` or `f32`, with scalars or SIMD vectors. Results equal those of generated Rust code bit for
+//! bit. Without the feature `pages` every program is refused.
 //!
 //! All `unsafe` code is in the modules `call`, `routine` and `pages`, and in a helper of the tests.
 

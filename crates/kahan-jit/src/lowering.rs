@@ -24,7 +24,7 @@ pub(crate) const SIGN_BIT: Instruction = Constant(Float::of(-0.0));
 /// Lowers a program. If the program negates a number, the constant [`SIGN_BIT`] is added.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: ResultDestination) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
-    // Unneeded operations are skipped. Their entries in `places` are invalid, and are not read.
+    // `places[n]` is the lowered node of operation n, or invalid if operation n is not needed.
     let (is_needed, mut places) = (program.needed(), vec![Node(usize::MAX); program.operations.len()]);
     for (index, operation) in program.operations.iter().enumerate() {
         if is_needed[index] {
@@ -61,7 +61,7 @@ impl Lowering {
     }
 
     /// Returns the node of result `i`. A result that is an input or a constant is copied, unless it
-    /// is a state that stays in its register, or state `i`, which is already in its place.
+    /// is a state that may stay where it is.
     fn result(&mut self, i: usize, place: Node, ends: ResultDestination) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
             (Instruction::Input(Input::State(_)), ResultDestination::Carried) => true,

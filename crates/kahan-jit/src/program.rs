@@ -39,7 +39,7 @@ pub type Instruction = Operation<Input, Float, CalledFunction>;
 /// A straight-line program with several results.
 pub type Program = kahan_program::Program<Vec<Instruction>>;
 
-/// Returns the minimum lengths of the states and of the constants that a program reads.
+/// Returns the minimum lengths of the two input arrays, states and constants.
 pub(crate) fn entries(program: &Program) -> [usize; 2] {
     let mut entries = [0; 2];
     for input in program.inputs() {

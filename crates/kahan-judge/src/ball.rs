@@ -49,7 +49,7 @@ impl Ball {
         !self.middle.is_zero() && !self.least().is_negative() && !self.least().is_zero()
     }
 
-    /// Returns a lower bound, possibly negative, of |v| over all numbers v in the ball.
+    /// Returns |middle| − radius, a lower bound of |v| for all v in the ball. It may be negative.
     pub(crate) fn least(&self) -> Dyadic {
         &self.middle.clone().abs() - &self.radius
     }
@@ -63,7 +63,7 @@ impl Ball {
         let (high, low) =
             if self.middle.binade() >= other.middle.binade() { (self, other) } else { (other, self) };
         match (high.middle.binade(), low.middle.binade()) {
-            // A number that is far smaller than the other only enlarges the radius.
+            // A middle that is smaller by more than `bits` + 8 binades only enlarges the radius.
             (Some(above), Some(below)) if above - below > bits as i64 + 8 => {
                 let radius = upper_bound(&(&radius + &upper_bound(&low.middle)));
                 Self { middle: high.middle.clone(), radius }.rounded(bits)
@@ -90,7 +90,8 @@ impl Ball {
         if self.is_zero() {
             return self.clone();
         }
-        // The radius bounds a/b − â/b̂ = [(a − â) − (â/b̂)(b − b̂)]/b with the middles â and b̂.
+        // For a and b in the balls with middles â and b̂, the radius bounds the absolute value of
+        // a/b − â/b̂ = [(a − â) − (â/b̂)(b − b̂)]/b.
         let (middle, unit) = self.middle.quotient(&divisor.middle, bits);
         let unit = Dyadic::new(1, unit);
         let by_divisor = &(&upper_bound(&middle) + &unit) * &divisor.radius;

@@ -23,7 +23,7 @@ impl Dyadic {
 
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (significand, exponent, sign) = Float::integer_decode(x);
-        // Removing trailing zeros keeps products small. The number 0 has 64 of them, and keeps all.
+        // Removing trailing zeros keeps products small. The number 0 is not shifted.
         let zeros = significand.trailing_zeros() % u64::BITS;
         let integer = i64::from(sign) * (significand >> zeros) as i64;
         x.is_finite().then(|| Self::new(integer, i64::from(exponent) + i64::from(zeros)))
@@ -75,7 +75,7 @@ impl Dyadic {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
             let exponent = self.exponent + excess as i64;
-            // The magnitude is shifted, because a shift rounds negative numbers away from 0.
+            // The magnitude is shifted, because shifting a negative number rounds away from 0.
             let magnitude = BigInt::from(self.integer.magnitude() >> excess);
             let integer = if self.is_negative() { -magnitude } else { magnitude };
             (Self { integer, exponent }, exponent)

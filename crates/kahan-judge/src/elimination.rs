@@ -1,7 +1,7 @@
-//! Solves the equation of a Kahan step for its result x̃ by elimination in ball arithmetic.
+//! Solves the equation A·x̃ = b of a Kahan step for its result x̃ in ball arithmetic.
 //!
-//! A pivot is an entry whose ball excludes 0. If a column has no pivot but is not exactly 0, the
-//! result is unknown, and the caller tries the next of the [`precisions`].
+//! A pivot is an entry whose ball excludes 0. If a column has no pivot and is not known to be 0,
+//! the result is unknown. The caller then tries the next of the [`precisions`].
 
 use std::cmp::Ordering;
 use std::iter::successors;
@@ -149,7 +149,7 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let (most, size) = (largest(sums.iter().map(Ball::most)), largest(next.iter().map(Ball::least)));
     let (least, size_at_most) = (largest(sums.iter().map(Ball::least)), largest(next.iter().map(Ball::most)));
     let (above, below) = (&most * &size_at_most, &least * &size);
-    // The condition number counts as known if its relative error is at most 2⁻²⁰.
+    // The condition number counts as known if its two bounds are nearly equal.
     let is_known = !size.is_zero() && (&above - &below).scaled(20).compare(&below) != Ordering::Greater;
     is_known.then(|| most.ratio(&size))
 }

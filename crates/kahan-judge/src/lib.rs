@@ -48,8 +48,8 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
 /// are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials for each scalar type, without additional trials that have large steps,
-    /// or subnormal, infinite or NaN inputs.
+    /// The number of trials for each scalar type. Trials with large steps, or with subnormal,
+    /// infinite or NaN inputs, come in addition.
     pub trials: u64,
     /// The number of random fields. The trials are divided among them and the systems.
     pub random_fields: usize,
@@ -88,7 +88,7 @@ pub struct Judged {
     /// The counts for each regime, kind of step and scalar type.
     #[serde(flatten)]
     pub tally: Tally,
-    /// The names of the systems that have removable poles.
+    /// The names of the systems that have removable poles: zeros of det A that cancel in the map.
     #[serde(skip)]
     pub removable: Vec<String>,
 }
@@ -148,8 +148,8 @@ impl Extremes {
 }
 
 impl Judged {
-    /// Counts the failures of `try_step`: wrong results without a warning, and refusals without a
-    /// reason. Both counts should be 0.
+    /// Counts the wrong results of `try_step`, and the well-conditioned steps that it refused. Both
+    /// counts should be 0.
     #[must_use]
     pub fn against_the_promise(&self) -> [u64; 2] {
         let count = |of: fn(&Cell) -> u64| {

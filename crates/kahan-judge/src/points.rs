@@ -97,7 +97,7 @@ impl<T: Float> InputSampler<'_, T> {
             return Inputs { regime: Regime::MixedMagnitudes, ..self.scaled(binade) };
         }
         let (sizes, eps): (Vec<i64>, i64) = match kind {
-            // Here ε‖x‖ is between 2^−60 and 2^60, with components of any size.
+            // Components have any size, and ε‖x‖ is between 2^−60 and 2^60.
             1 => {
                 let sizes: Vec<i64> = (0..n).map(|_| self.between(-limit, limit)).collect();
                 let largest = sizes.iter().copied().max().unwrap_or(0);
@@ -141,7 +141,7 @@ impl<T: Float> InputSampler<'_, T> {
         self.mixed()
     }
 
-    /// Draws an ordinary point, and replaces one or two of its numbers by results of `value`.
+    /// Draws an ordinary point, and lets `value` draw one or two of its numbers anew.
     fn inputs_in_regime(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
         let (n, epsilon) = (self.judge.equation().dimension(), self.judge.equation().epsilon());
@@ -181,7 +181,7 @@ impl<T: Float> InputSampler<'_, T> {
         fixed.iter().map(parameter).collect()
     }
 
-    /// Draws parameters: of any size, of ordinary size, or close to the parameter drawn before.
+    /// Draws parameters. Each has any size, has ordinary size, or is close to the one before it.
     fn odd_parameters(&mut self) -> Vec<T> {
         let mut drawn: Vec<T> = Vec::new();
         for given in self.fixed {

@@ -9,9 +9,9 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 
-/// Returns a random root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits. Roots
-/// are near points v where two terms have equal absolute values, so the search compares the signs
-/// near these points. Returns `None` if the sign never changes.
+/// Returns a random real root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits.
+/// Roots are near points v where two terms have equal absolute values. The search compares signs
+/// near these points, and returns `None` if the sign never changes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balanced_exponents(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();

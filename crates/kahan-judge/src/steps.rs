@@ -1,7 +1,7 @@
 //! The steps that are tested, run operation by operation from the formulas of a system.
 //!
-//! Every step equals that of generated code bit for bit. Fields get constant states until they have
-//! four or eight variables, since compiling for all dimensions up to 8 takes four times as long.
+//! Every step equals that of generated code bit for bit. Constant states pad fields to four or
+//! eight variables. Compiling for all dimensions up to 8 would take four times as long.
 
 use std::fmt::Debug;
 

@@ -60,7 +60,7 @@ impl TestedMap {
         Self::new(name, &system, parameters).expect("the generator writes fields that can be run")
     }
 
-    /// Lets trials draw the parameters of the system from the whole range of floats.
+    /// Lets trials draw extreme parameters and points.
     pub(crate) fn of_odd_temper(mut self) -> Self {
         self.target.is_odd = true;
         self
@@ -132,7 +132,7 @@ fn of_scalar<T: Float>(ready: &PreparedTrials<'_, T>, threads: usize, count: &Wo
         let end = (start + TRIALS_PER_BLOCK).min(trials);
         (start..end).for_each(|index| ready.run(index as u64, &mut tally));
         count.add((end - start) as u64);
-        // A thread that panics does not hold the lock, so the locked tally is valid.
+        // Trials run without the lock. If one panics, the tally stays valid.
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
     });
     all.into_inner().unwrap_or_else(PoisonError::into_inner)

@@ -18,15 +18,16 @@ pub struct Cell {
     pub max_error_u: Option<f64>,
     /// The number of trials without a result: `try_step` refused, or the result was not finite.
     pub flagged: u64,
-    /// The number of well-conditioned steps with representable results that `try_step` refused.
+    /// The number of steps that `try_step` refused, although they are well-conditioned and the
+    /// scalar type holds their results.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
-    /// The number of wrong results without a reported failure. A result of `try_step` is wrong
-    /// beyond its bound, and other results are wrong beyond a relative error of 1e-3.
+    /// The number of wrong results without a reported failure. A result of `try_step` is wrong if
+    /// its error exceeds the bound, and other results if their relative error exceeds 1e-3.
     pub silently_wrong: u64,
 }
 
-/// The regime, the kind of step and the scalar type of a cell.
+/// The regime, the kind of step and the scalar type whose trials one [`Cell`] counts.
 pub type CellKey = (Regime, &'static str, &'static str);
 
 /// A trial in which `try_step` violated its error bound, or refused without a reason.
@@ -63,7 +64,7 @@ pub struct BrokenPromises {
     pub text: String,
     /// The number of wrong results without a warning.
     pub silently_wrong: u64,
-    /// The number of refusals without a reason.
+    /// The number of well-conditioned steps that `try_step` refused.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
     /// The first failure in the order of [`Tally::failures`].

@@ -30,7 +30,7 @@ pub(crate) struct PreparedTrials<'a, T> {
 pub(crate) struct Trial<'a, T> {
     index: u64,
     target: &'a TrialTarget,
-    /// The index of the tested system.
+    /// The index of `target` among the tested systems.
     place: usize,
     inputs: Inputs<T>,
     /// The exact inputs and the exact step, if all inputs are finite.
@@ -209,8 +209,8 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Returns the condition number if `try_step` must accept the step: the number is below
-    /// `FLAG_CONDITION`, the field is defined, and the format holds x̃.
+    /// Returns the condition number if `try_step` must accept the step, otherwise `None`. It must
+    /// if the field is defined, the format holds x̃, and the number is below `FLAG_CONDITION`.
     fn forbidden_flag(&self) -> Option<f64> {
         let (ExactTrial { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;

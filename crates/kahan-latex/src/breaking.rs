@@ -100,8 +100,8 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
 
 const LEAST_WIDTH: usize = 16;
 
-/// Distributes a width over columns. The widest columns are cut to equal widths, and the others
-/// keep their width.
+/// Returns new column widths that add up to `width` if possible. Columns wider than some limit get
+/// this limit, and the others keep their width.
 fn column_shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
     // The loop ends, because `share` decreases in every pass but the last.

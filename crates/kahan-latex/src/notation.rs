@@ -77,7 +77,7 @@ impl Notation for Latex {
         format!("\\frac{{{above}}}{{{below}}}")
     }
 
-    /// Writes a quotient with integer coefficients, after its sign: (½ x y)/a becomes xy/(2a).
+    /// Writes a quotient with integer coefficients, such as −xy/(2a) for (−½ x y)/a.
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
         // A content may be negative. Dividing by its absolute value keeps the signs of all terms.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());

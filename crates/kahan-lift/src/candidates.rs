@@ -1,4 +1,4 @@
-//! Finds candidates for a lift, a quadratic field that is equivalent to given equations.
+//! Finds candidates for a lift. A lift is a quadratic field that is equivalent to given equations.
 //!
 //! The input consists of checked equations and limits of the search. The output consists of sets of
 //! new variables that make the equations quadratic. Each set comes with alternative quadratic
@@ -34,8 +34,8 @@ pub(crate) struct SearchEffort {
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states. In an energy lift, the variable for the work
-    /// done by the forces is no function of the states, and its entry is 0.
+    /// The new variables as functions of the states. An energy lift may have a variable for the
+    /// work of the forces. If the work is no function of the states, its entry is 0.
     pub(crate) new: Vec<Laurent>,
     /// Alternative quadratic fields, with the preferred field first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
@@ -95,7 +95,7 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
     // The first search also allows sums of terms as variables. The second search allows only
-    // monomials, and is limited to the size of the smallest lift of the first.
+    // monomials, and no more variables than the smallest lift that the first search found.
     let grouped =
         equations.ring.with_frequent_sums().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
@@ -148,7 +148,7 @@ fn energy_lifts(
     let least = found.sets[0].len();
     let lift = |set: &Vec<Laurent>| {
         let mut new = [&forces[..], set].concat();
-        // A sum of terms that is affine in the other variables is removed from the variables.
+        // A sum that is an affine function of the other variables need not be a variable.
         let mut index = 0;
         while index < new.len() {
             let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
@@ -166,8 +166,8 @@ fn energy_lifts(
     of_size(least).chain(of_size(least + 1)).chain(&founded).filter_map(lift).collect()
 }
 
-/// Adds a variable for the potential if needed. Chooses equations with which the map preserves the
-/// energy.
+/// Chooses equations with which the map preserves the energy. Adds a variable for the potential if
+/// the other variables do not suffice.
 fn with_potential(
     ring: &Rc<Ring>,
     mechanical: &Mechanical,
@@ -213,7 +213,6 @@ fn with_potential(
     if let Some(potential) = &potential {
         let plain = potential.filtered(is_quadratic);
         energy.add_scaled(&plain, &RationalFunction::one());
-        // By the chain rule, d/dt `plain` is the sum of velocities times partial derivatives.
         for state in 0..states {
             let velocity = products.affine(&ring.field[state]);
             for (monomial, factor) in plain.partial(state).terms() {

@@ -15,9 +15,9 @@ use crate::stability::{ErrorGrowth, Orbit};
 /// The criterion by which a lift is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LiftCriterion {
-    /// The first of the following that exists: an energy lift; a lift whose relations the map
-    /// preserves; a lift in which errors of relations do not grow, or grow least;
-    /// without a start, the smallest lift.
+    /// An energy lift if there is one, otherwise a lift whose relations the map preserves. If there
+    /// is neither, the lift whose relation errors grow least along the orbit. Without an orbit, the
+    /// smallest lift.
     #[default]
     Automatic,
     /// An energy lift of a mechanical system.
@@ -89,7 +89,7 @@ pub(crate) fn choose<'a>(
         }
     }
     let exponent = |one: &RatedCandidate<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
-    // Lifts whose new variables depend on few states are preferred: x² is preferred to x·p.
+    // Among equal lifts, those whose new variables depend on few states are preferred: x² to x·p.
     let spread = |one: &RatedCandidate<'_>| {
         let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
@@ -184,7 +184,7 @@ impl<'a> RatedCandidate<'a> {
 
     pub(crate) fn follow(&mut self, orbit: &Orbit) {
         let Candidate { ring, new, .. } = self.candidate;
-        // The work done by the forces has no relation, and its value in `new` is 0.
+        // Entries 0 of `new` stand for the work done by the forces, which has no relation.
         let known = new.iter().filter(|value| !value.is_zero()).count();
         self.growth = Some(orbit.growth(ring, &new[..known], &self.form));
     }

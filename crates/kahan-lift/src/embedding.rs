@@ -90,7 +90,7 @@ impl Calls<CalledFunction> for Exact {
 pub struct Embedding {
     /// The program. The outputs are the values of the new variables.
     pub program: Program<Vec<Operation>>,
-    /// The initial values of the program's registers: the constants, and 0 for other operations.
+    /// The values of the program's constants, in its registers. All other registers begin with 0.
     constants: Vec<f64>,
 }
 

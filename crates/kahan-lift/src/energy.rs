@@ -1,8 +1,8 @@
-//! Recognises mechanical systems x′ = A p, p′ = G(x) with positions x, momenta p and a potential.
+//! Recognises mechanical systems x′ = A p, p′ = G(x) with constant A and a potential.
 //!
 //! Let S be a constant symmetric matrix and V a function with ∇V = −A⁻ᵀ S G. Then ½ pᵀSp + V is an
-//! integral. In a lift, let G be affine in the states and new variables, and let a new variable W
-//! satisfy W′ = −pᵀS G. Then Kahan's map preserves
+//! integral. In a lift, a variable W with W′ = −pᵀS G replaces V, and G is affine in the variables.
+//! Kahan's map then preserves
 //!
 //!   ½ pᵀSp + W − ε² GᵀSG/2
 
@@ -63,7 +63,7 @@ type Matrix = Vec<Vec<RationalFunction>>;
 fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     let n = matrix.len();
     let rows = |i: usize| {
-        // Row i of A⁻ᵀ is the vector b with A b = eᵢ, so (b, 1) is in the null space of (A | −eᵢ).
+        // Row i of A⁻ᵀ is the b with A b = eᵢ. The vector (b, 1) is in the null space of (A | −eᵢ).
         let unit = |k: usize| if k == i { -&RationalFunction::one() } else { RationalFunction::zero() };
         let rows = matrix.iter().enumerate().map(|(k, row)| [&row[..], &[unit(k)]].concat()).collect();
         let mut solutions = null_space(rows, n + 1);
@@ -156,7 +156,7 @@ fn kinetic_energy(
     let diagonal: Vec<(usize, usize)> = (0..n).map(|i| (i, i)).collect();
     let symmetric: Vec<(usize, usize)> = (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect();
     for (shape, is_own) in [(&symmetric, true), (&diagonal, false), (&symmetric, false)] {
-        // With B = A⁻ᵀ, −BSG is a gradient. So Σ_jk B_ij S_jk ∂G_k/∂x_l is symmetric in i and l.
+        // With B = A⁻ᵀ, −BSG is a gradient if Σ_jk B_ij S_jk ∂G_k/∂x_l is symmetric in i and l.
         let mut rows: Matrix = Vec::new();
         for i in 0..n {
             for l in i + 1..n {

@@ -193,8 +193,8 @@ impl Laurent {
         self.0.keys().skip(1).fold(first, least)
     }
 
-    /// Returns a rational number ρ and p with `self` = ρ·p. All numerators in p have integer
-    /// coefficients without a common factor. The first of them has a positive leading coefficient.
+    /// Returns a rational ρ and a polynomial p with `self` = ρ·p. The numerators in p have integer
+    /// coefficients without a common factor, and the first leading coefficient is positive.
     pub(crate) fn primitive(&self) -> (Rational, Self) {
         let contents = self.0.values().map(|value| value.numerator().content().abs());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);

@@ -51,7 +51,7 @@ pub struct NewVariable {
 /// The behaviour of a relation along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RelationBehaviour {
-    /// The map exactly preserves the relation after terms in ε are added to it.
+    /// The map exactly preserves a modified relation, which differs from this one by terms in ε.
     Kept,
     /// The error stays bounded.
     Bounded,
@@ -70,7 +70,7 @@ pub struct Relation {
     pub text: String,
     /// The behaviour along the given orbit. Without an orbit, only `Kept` is known.
     pub along: Option<RelationBehaviour>,
-    /// The modified function that the map preserves exactly.
+    /// If the relation is `Kept`, the modified function that the map preserves exactly.
     pub formula: Option<String>,
     /// The growth rate of errors per unit of time. All relations of a lift get the largest rate.
     pub rate: Option<f64>,
@@ -103,8 +103,8 @@ pub struct Lift {
     pub relations: Vec<Relation>,
     /// The energy that the map preserves exactly.
     pub energy: Option<String>,
-    /// Warnings about points at which a new variable is infinite but the equations are finite, and
-    /// about periodic forces, whose phase falls behind.
+    /// Warnings that a new variable is infinite at a point where the equations are finite, or that
+    /// the phase of a periodic force lags behind in the map.
     pub notes: Vec<String>,
     ring: Ring,
     embedding: Embedding,

@@ -79,8 +79,8 @@ impl<'a> Products<'a> {
         products
     }
 
-    /// If a product of two variables has only one unknown monomial, solves for this monomial.
-    /// Repeats this until nothing changes. Products without unknown monomials give relations.
+    /// Expresses monomials by products of two variables: solves each product with one monomial left
+    /// to express, until nothing changes. Products with no such monomial give relations.
     fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();

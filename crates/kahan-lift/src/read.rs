@@ -1,8 +1,8 @@
 //! Parses expressions into Laurent polynomials in coordinates.
 //!
-//! Functions become coordinates. If a function has arguments that are rational multiples of each
-//! other, its coordinate gets an argument of which they are integer multiples. The equations are
-//! read repeatedly until no coordinate's argument changes.
+//! Functions become coordinates. If a function occurs with arguments such as u/2 and u/3, one
+//! coordinate with the argument u/6 serves for both. The equations are read repeatedly until no
+//! coordinate's argument changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
@@ -33,7 +33,7 @@ pub(crate) struct Reader {
     units: Vec<(FunctionFamily, Laurent, Rational)>,
 }
 
-/// A kind of functions. For an integer n, those at n·u are polynomials in those at u.
+/// Functions whose values at n·u are polynomials in their values at u, for every integer n.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FunctionFamily {
     Exponential,
@@ -252,8 +252,7 @@ impl Reader {
         Monomial::power(coordinate, exponent.saturating_mul(finest / index))
     }
 
-    /// Includes a new multiple of an argument in the greatest common divisor of its multiples.
-    /// Returns the divisor.
+    /// Returns the greatest common divisor of all multiples of `argument` so far, with `multiple`.
     fn common_unit(&mut self, family: FunctionFamily, argument: &Laurent, multiple: &Rational) -> Rational {
         let known = self.units.iter_mut().find(|(of, known, _)| *of == family && known == argument);
         match known {
@@ -353,7 +352,7 @@ impl Reader {
     }
 
     /// Returns exp u as the product of the exponentials of the terms of u. If u has a constant term
-    /// c, exp u is not split, because exp c is not rational.
+    /// c, exp u is not split, because exp c would be an irrational coefficient.
     fn exponential(&mut self, argument: &Laurent, span: Span) -> ReadResult<Laurent> {
         if argument.is_zero() {
             return Ok(Laurent::number(Rational::one()));
@@ -400,7 +399,7 @@ impl Reader {
         let (multiple, primitive) = argument.primitive();
         let unit = self.common_unit(family, &primitive, &multiple);
         let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
-        // We have cos′ = −sin and cosh′ = sinh. Rules replace sin² by 1 − cos², cosh² by 1 + sinh².
+        // `sign` is the sign in cos′ = −sin or cosh′ = sinh.
         let (functions, sign) = match family {
             FunctionFamily::Circular => ([Function::Sin, Function::Cos], -1),
             _ => ([Function::Sinh, Function::Cosh], 1),
@@ -447,7 +446,7 @@ const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
     ("csch", None, "sinh"),
 ];
 
-/// Functions with derivative (a + b u²)^e. The entries are \[a, b\] and e as a fraction.
+/// Functions of u with derivative (a + b·u²)^e, then \[a, b\], then \[p, q\] with e = p/q.
 const INVERSE_FUNCTIONS: [(Function, [i64; 2], [i64; 2]); 5] = [
     (Function::Atan, [1, 1], [-1, 1]),
     (Function::Asin, [1, -1], [-1, 2]),
@@ -459,7 +458,7 @@ const INVERSE_FUNCTIONS: [(Function, [i64; 2], [i64; 2]); 5] = [
 const KNOWN_FUNCTIONS_HELP: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
                      cbrt, asin, atan, asinh, acosh, atanh and pow; for a product write `f*(…)`";
 
-/// Returns the reason why a function is not lifted, and a replacement.
+/// Returns why a function is not lifted, and what to write instead; `None` for other functions.
 fn reason_not_lifted(function: &str) -> Option<(String, &'static str)> {
     let help = match function {
         "acos" | "arccos" => "write `pi/2 - asin(u)` for `acos(u)`",

@@ -10,9 +10,9 @@ const ROUNDING_UNITS: f64 = 8.0;
 
 /// Steps of a lifted map with symmetric projection onto relations w = g(x).
 ///
-/// The map advances states x and new variables w. A step begins at (x, g(x) + μ), with a shift μ
-/// such that the image (x̃, w̃) satisfies w̃ + μ = g(x̃). Reversible maps stay reversible, and
-/// composed maps keep their order of accuracy.
+/// The map advances states x and new variables w. A step begins at (x, g(x) + μ). The shift μ is
+/// chosen such that the image (x̃, w̃) of this point satisfies w̃ + μ = g(x̃). Reversible maps stay
+/// reversible, and composed maps keep their order of accuracy.
 #[derive(Clone, Debug, Default)]
 pub struct Reembedding {
     /// The shift μ of the previous step, used as initial guess.
@@ -53,7 +53,7 @@ impl Reembedding {
             if !error.is_finite() || !reached.iter().all(|value| value.is_finite()) {
                 break;
             }
-            // The iteration stops at rounding level, or just above if the error no longer
+            // Stops if the error is at rounding level, or if it is near this level and no longer
             // decreases.
             let is_rounding = error <= ROUNDING_UNITS * f64::EPSILON;
             if is_rounding || (error >= before && before <= 1e3 * f64::EPSILON) {

@@ -82,7 +82,7 @@ pub(crate) enum CoordinateDefinition {
     Root(Laurent, i16),
     /// A power of a polynomial with an exponent that depends on parameters.
     Power(Laurent, RationalFunction),
-    /// A sum that occurs often in the field and becomes one variable.
+    /// A sum of terms that becomes one variable. `with_frequent_sums` finds these sums.
     Sum(Laurent),
 }
 
@@ -111,8 +111,8 @@ pub(crate) struct Coordinate {
 enum RewriteRule {
     /// The monomial is replaced by the polynomial.
     Replace(Monomial, Laurent),
-    /// The coordinate b is a root with b^index = `base`. Exponents of b are kept below `index`. If
-    /// an exponent is negative, the monomial `leading` of `base` is replaced by `instead`.
+    /// The coordinate b is a root with b^index = `base`. Exponents of b are kept below `index`.
+    /// Beside a negative power of b, the monomial `leading` of `base` is replaced by `instead`.
     Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
 }
 
@@ -194,8 +194,8 @@ impl Ring {
     /// Returns the ring with frequent sums as further coordinates. Returns `None` if no sum is
     /// frequent.
     ///
-    /// The frequent sums are the polynomial factors of the time derivatives P′, P″ and P‴ of
-    /// polynomials P under roots. With them, r = |x|, x·p and p·p describe Kepler's problem.
+    /// For each root of a polynomial, the frequent sums occur in its first three time derivatives.
+    /// In Kepler's problem, the root r = |x| leads to x·p and p·p.
     pub(crate) fn with_frequent_sums(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());

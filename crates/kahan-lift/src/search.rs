@@ -1,9 +1,9 @@
 //! Searches for a smallest set of monomials that makes the equations quadratic.
 //!
 //! A set of variables is closed if each monomial in their derivatives is 1, a variable, a product
-//! of two variables, or, because of relations, a combination of these. Iterative deepening branches
-//! over the ways to write one missing monomial. After too many branches, local changes improve a
-//! greedy solution. The search reads no clock, so results are reproducible.
+//! of two variables, or, because of relations, a combination of these. Iterative deepening tries
+//! all ways to write one missing monomial. If it takes too long, local changes improve the result
+//! of a greedy search. Neither search reads a clock, so results are reproducible.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -23,8 +23,8 @@ pub(crate) struct CoverProblem {
     pub given: Vec<Monomial>,
     /// Polynomials that are already variables.
     pub sums: Vec<Laurent>,
-    /// Monomials that must be products of at most two variables, like all monomials in derivatives
-    /// of new variables.
+    /// Monomials that must be products of at most two variables. Monomials in derivatives of new
+    /// variables must be such products, too.
     pub required: Vec<Monomial>,
     /// Coordinates that may have negative exponents in new variables.
     pub negative: BTreeSet<usize>,
@@ -47,7 +47,7 @@ const LOCAL_CHANGES: usize = 40;
 #[derive(Clone, Debug, Default)]
 struct MonomialCover {
     covered: FxHashSet<MonomialId>,
-    /// Products of two variables that contain at least two monomials that are not covered.
+    /// For each product of two variables with at least two uncovered monomials, its monomials.
     composite: Vec<Rc<[MonomialId]>>,
 }
 
@@ -63,7 +63,7 @@ impl MonomialCover {
         }
     }
 
-    /// Covers each monomial that is the only missing one in a product, until nothing changes.
+    /// Covers each monomial that is the only uncovered one in a product, until nothing changes.
     fn close(&mut self) {
         loop {
             let before = self.covered.len();
@@ -84,7 +84,7 @@ struct Search<'a> {
     required: Vec<MonomialId>,
     nodes: usize,
     largest: u32,
-    /// Whether each new variable must be an inverse of a polynomial, or a product of two others.
+    /// Whether each new variable must be 1/polynomial, or a product of two other variables.
     founded: bool,
     visited: FxHashMap<Vec<MonomialId>, usize>,
     sets: Vec<Vec<MonomialId>>,
@@ -286,7 +286,7 @@ impl<'a> Search<'a> {
             && monomial.powers().all(|(coordinate, exponent)| exponent > 0 || negative.contains(&coordinate))
     }
 
-    /// Returns the monomials m for which `target` is m, m², or the product of m and a variable.
+    /// Returns monomials m that turn `target` into a product: it is m, m², or m times a variable.
     fn single_factors(&mut self, target: MonomialId, new: &[MonomialId]) -> Vec<MonomialId> {
         let monomial = self.table.monomial(target).clone();
         let variables: Vec<MonomialId> = self.given.iter().chain(new).copied().collect();
@@ -381,7 +381,7 @@ impl<'a> Search<'a> {
         Some(self.without_unnecessary(closed))
     }
 
-    /// Replaces the set by the `closure` of all variables but one while this makes it smaller.
+    /// Drops a variable and lets `closure` complete the others, as long as the set gets smaller.
     fn without_unnecessary(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
         let mut at = 0;
         while at < best.len() {
@@ -397,7 +397,7 @@ impl<'a> Search<'a> {
     }
 
     /// Adds variables to `new` until they make the equations quadratic; `None` if this takes more
-    /// than `most` variables. Different values of `twist` may give different sets.
+    /// than `most` variables. Different values of `twist` lead to different choices.
     fn closure(&mut self, mut new: Vec<MonomialId>, most: usize, twist: u64) -> Option<Vec<MonomialId>> {
         let mut cover = self.cover(&new);
         loop {

@@ -1,7 +1,7 @@
 //! Computes the growth of errors of a lift's relations along an orbit.
 //!
-//! For states x, new variables w = g(x) and a lifted field with x′ = F(x,w) and w′ = G(x,w), let r
-//! = w − g(x) be the error. Along the orbit, small errors satisfy r′ = Λ r with
+//! Let x′ = F(x,w), w′ = G(x,w) be a lifted field with states x and new variables w = g(x). Along
+//! the orbit, small errors r = w − g(x) satisfy r′ = Λ r with
 //!
 //!   Λ = ∂G/∂w − g′(x) · ∂F/∂w
 //!
@@ -110,7 +110,7 @@ impl Orbit {
         if count == 0 {
             return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // The derivatives of `new` by states precede those of the equations by new variables.
+        // First come the derivatives of `new` by the states, then those of the equations by `new`.
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {

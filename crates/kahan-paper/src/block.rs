@@ -1,7 +1,7 @@
-//! Proves claims of `kahan!` blocks a second time, in two ways.
+//! Proves claims of `kahan!` blocks a second time.
 //!
-//! The macro proves claims modulo primes. This module repeats that proof, and also expands both
-//! sides over ℚ unless the expansion would be too large. The expansion is an independent proof.
+//! The macro proves claims modulo primes. This module repeats that proof. Unless it would be too
+//! large, it also expands both sides over ℚ, which is an independent proof.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{Verdict, prove_all, prove_by_normal_form};
@@ -49,8 +49,8 @@ pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, Str
     }
 }
 
-/// Changes one coefficient or sign of the claim at a time, until a changed claim fails. Returns the
-/// number of tries and the failing claim. A try costs as much as [`establish_block_claim`].
+/// Changes one coefficient or sign of the claim at a time, until a changed claim is refuted.
+/// Returns the number of tries and this claim. A try costs as much as [`establish_block_claim`].
 #[must_use]
 pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>) {
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };

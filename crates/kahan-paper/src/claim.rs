@@ -49,7 +49,7 @@ pub(super) enum ProofMethod {
 #[derive(Clone, Debug)]
 pub(super) struct Misprint {
     pub(super) printed: String,
-    /// Definitions of the point's coordinates, and the values of both sides there. Empty if a
+    /// Definitions of a point's coordinates, and the values of both sides at this point. Empty if a
     /// measurement refutes the formula.
     pub(super) counterexample: String,
 }

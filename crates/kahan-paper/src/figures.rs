@@ -105,7 +105,7 @@ impl Figure {
         ALL.into_iter()
     }
 
-    /// Computes the orbit exactly, in up to some seconds.
+    /// Computes the orbit exactly, which takes a few seconds at most.
     ///
     /// # Panics
     /// If the catalog lacks the system.
@@ -132,12 +132,12 @@ impl Measurement {
         Some(self.survey.heights.iter().map(|heights| heights.logarithms[index]).collect())
     }
 
-    /// Replaces measured functions in a formula by numbers:
+    /// Replaces measured functions in a formula by numbers. Below, h is `h(v, n)` for n = a, …, b.
     ///
     /// | call | meaning |
     /// |---|---|
-    /// | `h(v, n)`, `digits(v, n)` | the logarithmic height of v after n steps, and its decimal digits |
-    /// | `slope(v, a, b)` | the least squares slope of h against n, n = a, …, b |
+    /// | `h(v, n)`, `digits(v, n)` | logarithmic height and number of digits of v after n steps |
+    /// | `slope(v, a, b)` | the least squares slope of h against n |
     /// | `logslope(v, a, b)` | the least squares slope of h against log n |
     /// | `mean(v, a, b)` | the mean of log(h/n) |
     /// | `growth(v)` | the growth class, to be compared with `linear`, `quadratic`, … |
@@ -205,8 +205,8 @@ fn class(name: &str) -> Option<i64> {
         .and_then(|index| i64::try_from(index).ok())
 }
 
-/// Returns `parts` + 1 points on the closed curve through `point` on which the integrals H and K of
-/// Kahan's map of E4 are constant. Requires xy > 0 and |εz| < 1.
+/// Returns `parts` + 1 points on the closed curve through `point` = (x, y, z) on which the
+/// integrals H and K of Kahan's map of E4 are constant. Requires xy > 0 and |εz| < 1.
 ///
 /// With s = x + y, d = x − y, h = 2ε²H and g = 2ε²K, the integrals give (1−h)s² − (1+h)d² = 4H and
 /// (1−g)(s² + d²) + 2z² = 4K. Elimination of s leaves an ellipse in d and z.

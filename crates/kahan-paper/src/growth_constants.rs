@@ -1,4 +1,4 @@
-//! Computes the limit C₁ of (logarithmic height)/n on orbits of Kahan's maps dE7 and dE8.
+//! Computes the limit C₁ of h(xₙ)/n on orbits of dE7 and dE8, where h is the logarithmic height.
 
 use kahan_algebra::rational::Rational;
 
@@ -18,12 +18,12 @@ pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
     })
 }
 
-/// Computes the limit C₁ for dE7; `None` if the numbers a and b have different denominators.
+/// Computes the limit C₁ for dE7. Returns `None` if a = τ + 1 − ξ/2 and b = τ + ξ/2 have different
+/// denominators.
 ///
-/// Let a = τ + 1 − ξ/2 and b = τ + ξ/2 have the common denominator M. Let a_r in (0, 1] be the
-/// multiple of 1/M with r·M·a_r ≡ M·a modulo M, and let b_r be defined likewise. By the prime
-/// number theorem for arithmetic progressions, C₁ is the mean of max(0, ψ(b_r) − ψ(a_r)) over the
-/// residues r coprime to M, where ψ is the digamma function.
+/// Let M be the common denominator. For r coprime to M, let a_r = s/M with 1 ≤ s ≤ M and r·s ≡ M·a
+/// modulo M. Let b_r be defined likewise. By the prime number theorem for arithmetic progressions,
+/// C₁ is the mean of max(0, ψ(b_r) − ψ(a_r)) over all r, where ψ is the digamma function.
 fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);

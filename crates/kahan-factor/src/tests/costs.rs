@@ -17,7 +17,7 @@ fn an_exhausted_budget_leaves_square_free_parts() {
         let factors = factors(&polynomial, &mut Budget::new(100_000, work));
         assert_sound(&polynomial, &factors);
         let largest = factors.factors.iter().map(|(factor, _)| factor.degree()).max().unwrap();
-        // Even the smallest budget finds the repeated factor, so no factor has a degree above 5.
+        // Even the smallest budget leaves only square-free factors, which have degree at most 5.
         assert!(largest <= 5, "{factors:?}");
         assert!(factors.is_complete >= is_complete, "more work leaves nothing behind");
         is_complete = factors.is_complete;

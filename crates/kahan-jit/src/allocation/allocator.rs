@@ -24,13 +24,13 @@ pub(super) struct Allocator<'a> {
     pub(super) free_slots: Vec<usize>,
     /// For each value, the indices of the results that are equal to this value.
     pub(super) results_of: Vec<Vec<usize>>,
-    /// For each result, whether it is stored after all operations, as they may read the old state.
+    /// For each result, whether it is stored last, because an operation may read the old state.
     pub(super) waits: Vec<bool>,
     pub(super) code: Allocation,
 }
 
 impl<'a> Allocator<'a> {
-    /// Prepares a pass. The values in `kept` are constants, which occupy the last registers.
+    /// Prepares a pass. The constants in `kept` stay in the registers with the highest numbers.
     pub(super) fn new(program: &'a Program, registers: u8, ends: ResultDestination, kept: &[usize]) -> Self {
         let count = program.operations.len();
         let own = usize::from(registers) - kept.len();
@@ -184,7 +184,7 @@ impl<'a> Allocator<'a> {
         for operand in operands {
             self.lock(operand);
         }
-        // A fused multiply-add reads at most one operand from memory. A value used twice is loaded.
+        // A fused multiply-add reads at most one operand from memory. The others are loaded.
         for operand in [c, b, a] {
             let in_memory = |value: &usize| self.register_of[*value].is_none();
             let is_only = operands.iter().filter(|value| in_memory(value)).count() == 1;
@@ -205,8 +205,8 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // The result gets a new register. An operand in memory is loaded into the register. If
-            // all operands are in registers, the addend is copied.
+            // The result gets a new register, which first receives an operand: one from memory if
+            // there is one, otherwise a copy of the addend c.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {
@@ -218,7 +218,7 @@ impl<'a> Allocator<'a> {
             (to, overwritten)
         };
         let (order, second, third) = if overwritten == c {
-            // Only the last operand may be in memory, so a and b are exchanged if a is there.
+            // Only b may be in memory in `D231`, so a and b are exchanged if a is there.
             if self.register_of[a].is_none() {
                 (a, b) = (b, a);
             }

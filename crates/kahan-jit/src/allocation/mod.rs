@@ -52,7 +52,7 @@ pub(crate) struct Allocation {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
     pub(crate) ends: ResultDestination,
-    /// Whether the constants stay equal throughout the loop, so that registers should keep them.
+    /// Whether all rounds of a loop use equal constants, which spare registers can then hold.
     pub(crate) keeps_constants: bool,
 }
 
@@ -120,7 +120,7 @@ fn constants_in_registers(program: &Program, plan: RoundPlan, most: usize) -> Ve
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        // Code that does not write states runs once: a constant kept in a register gains nothing.
+        // If results go elsewhere, the code runs once, and a constant in a register gains nothing.
         Instruction::Constant(_) => plan.ends != ResultDestination::Elsewhere,
         _ => false,
     };

@@ -36,8 +36,8 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
     }
 }
 
-/// Returns the index of a move whose target is not the source of any move. If the moves form
-/// cycles only, returns 0.
+/// Returns the index of a move whose target no move reads. If the moves form cycles only, returns
+/// 0. If there are no moves, returns `None`.
 fn next(moves: &[(Vector, Source<ValueLocation>)]) -> Option<usize> {
     let is_free = |(to, _): &(Vector, Source<ValueLocation>)| {
         !moves.iter().any(|(_, source)| *source == Source::Register(*to))

@@ -19,7 +19,7 @@ impl Allocator<'_> {
         self.register_of[value].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
     }
 
-    /// Returns the register of an operand, which is loaded if it is in memory.
+    /// Returns the register of an operand. Loads the operand first if it is in memory.
     pub(super) fn in_register(&mut self, value: usize) -> Vector {
         if let Source::Memory(place) = self.source(value) {
             let register = self.fresh();
@@ -57,8 +57,8 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register for the current value. If this value becomes state i of the next round,
-    /// register i is returned if it is free.
+    /// Returns a register for the current value. A value that becomes state i of the next round
+    /// gets register i if that is free.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == ResultDestination::Carried);
         match carried {

@@ -4,7 +4,7 @@ use crate::lowering::SIGN_BIT;
 use crate::program::{Instruction, Program};
 
 pub(super) struct Uses {
-    /// The times of all uses, grouped by value, with room for one more use of each value.
+    /// The times of all uses, grouped by value. Each group has a spare entry, which `add` may fill.
     times: Vec<u32>,
     /// For each value, the range of its remaining uses in `times`.
     of: Vec<[usize; 2]>,
@@ -49,7 +49,7 @@ impl Uses {
         self.sign.unwrap_or_else(|| unreachable!("it stands in every program that changes a sign"))
     }
 
-    /// Adds a use at `time` if it is not yet recorded. No recorded use may be later.
+    /// Adds a use at `time`, unless it is recorded already. Uses of a value are added in order.
     pub(super) fn add(&mut self, value: usize, time: usize) {
         if self.last(value) != Some(time) {
             self.push(value, time);

@@ -34,14 +34,14 @@ pub(crate) enum Binary {
 pub(crate) enum Fused {
     MultiplyAdd,
     MultiplySubtract,
-    /// Computes addend − product.
+    /// Subtracts the product of two operands from the third.
     SubtractProduct,
 }
 
 /// Says which of the operands d, b and c are multiplied. The result overwrites d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FusedOrder {
-    /// Multiplies d by c; b is the addend.
+    /// Multiplies operand 1 (d) by operand 3 (c); operand 2 (b) is the addend.
     D132,
     /// Multiplies b by d; c is the addend.
     D213,

@@ -38,7 +38,7 @@ impl Pool {
     }
 
     /// Appends the constants to the code, after a gap up to the next cache line. The gap consists
-    /// of `filler` bytes, which trap when executed. `refer` writes a position into an instruction.
+    /// of `filler` bytes, which trap. `refer` writes a constant's position into an instruction.
     pub(super) fn append_to(
         self,
         mut code: Vec<u8>,

@@ -76,7 +76,7 @@ mod on_linux {
         for _ in 0..PAGES {
             drop(Pages::new(&bytes).expect("the system gives pages"));
         }
-        // Other tests run at the same time, but hold far fewer than a tenth of these pages.
+        // Other tests run at the same time, but hold far fewer than PAGES / 10 pages.
         let (after, most) = (executable(), before + PAGES / 10 * bytes.len());
         assert!(after < most, "{after} bytes, not {before}");
     }

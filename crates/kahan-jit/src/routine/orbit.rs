@@ -51,9 +51,9 @@ impl<T: Float> Orbit<T> {
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads as many states as there are results, and the constants. It writes
-        // only these states, or the array in the fourth argument if states stay in registers. Only
-        // `Code::orbit` enters the code, and `Code::orbit_step` if states stay in registers.
+        // SAFETY: the code reads the constants, and as many states as there are results. It writes
+        // only states, or only the fourth argument if states stay in registers. Only `Code::orbit`
+        // enters the code. If states stay in registers, `Code::orbit_step` enters it, too.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends, round_bytes })
     }
@@ -98,7 +98,7 @@ impl<T: Float> ComposedOrbit<T> {
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
         let plan = RoundPlan { ends: state_destination(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        // The fifth argument is 0; its register holds the address of the next table entry.
+        // The fifth argument is unused. Its register holds the address of the next table entry.
         let [states, table, stages, steps, entry] = GeneralRegister::ARGUMENTS;
         let [constants, left, _] = GeneralRegister::SPARE;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
@@ -116,9 +116,8 @@ impl<T: Float> ComposedOrbit<T> {
         frame.after(&addresses);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: for each result, the code reads and writes one register. From each address of the
-        // table, the code reads one register per constant. Only `Code::composed_orbit` enters the
-        // code.
+        // SAFETY: the code reads and writes as many states as there are results. It reads one set
+        // of constants at each address in the table. Only `Code::composed_orbit` enters the code.
         Ok(ComposedOrbit { code: unsafe { Code::new(&bytes, extent) }? })
     }
 

@@ -15,7 +15,7 @@ use super::Frame;
 pub enum Constants {
     /// All trajectories share one set of constants.
     Shared,
-    /// Each SIMD register of trajectories has its own set of constants.
+    /// Each group of trajectories that share a SIMD register has its own set of constants.
     Own,
 }
 
@@ -87,8 +87,8 @@ impl<T: Float> Sweep<T> {
         constants
     }
 
-    /// Advances all trajectories by `steps` rounds. Each constant is repeated for each lane. With
-    /// [`Constants::Own`], `constants` holds one set for each register of trajectories, in order.
+    /// Advances all trajectories by `steps` rounds. Each set of constants holds each number once
+    /// per lane. With [`Constants::Own`], the sets of the groups of trajectories follow each other.
     ///
     /// # Panics
     /// If the columns differ in length, or the length is not a multiple of [`width`](Self::width).

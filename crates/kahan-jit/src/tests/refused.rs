@@ -63,7 +63,6 @@ fn more_results_than_a_straight_line_has_are_refused() {
     );
 }
 
-/// An operation may read only earlier operations, because later operations have no register yet.
 #[test]
 fn programs_that_read_what_was_not_computed_are_refused() {
     let x = Node(0);

@@ -60,8 +60,8 @@ pub(crate) fn read(program: &Program) -> [usize; 2] {
     [states, constants]
 }
 
-/// Returns a − b·c, rounded once. Under Valgrind, which gives a result of zero the wrong sign, this
-/// function gives it the same wrong sign.
+/// Returns a − b·c, rounded once. Valgrind gives a zero result the wrong sign. Under Valgrind this
+/// function does so too, because tests compare it with machine code.
 pub(crate) fn subtract_product<T: Float>(a: T, b: T, c: T) -> T {
     static IS_VALGRIND: LazyLock<bool> =
         LazyLock::new(|| std::env::var("LD_PRELOAD").is_ok_and(|loaded| loaded.contains("/valgrind/")));

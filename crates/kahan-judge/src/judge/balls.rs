@@ -34,7 +34,7 @@ impl Balls {
         Some(Box::new(Fraction::of_equation(&equation)?))
     }
 
-    /// Returns the answer of `of_balls` at growing precision, or if it gives none, of `exactly`.
+    /// Returns the answer of `of_balls` at growing precision. If there is none, asks `exactly`.
     fn answer<R>(
         &self,
         of_balls: impl Fn(&[Ball], u64) -> Option<R>,
@@ -151,7 +151,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Pole
         equation.at(&moved)
     };
     let (zero, one) = (at(0), at(1));
-    // The index of a minor encodes its set of columns as bits.
+    // `minors[s]` is the minor of the rows so far and of the columns whose bits are set in s.
     let mut minors = vec![None; 1 << n];
     minors[0] = Some(vec![Dyadic::new(1, 0)]);
     for i in 0..n {

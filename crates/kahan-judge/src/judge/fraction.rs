@@ -42,7 +42,7 @@ impl Fraction {
         let matrix: Vec<_> = (0..n).map(row).collect();
         let right: Vec<_> = (0..n).map(|i| vec![equation.increment(i).rational()]).collect();
         let solved = solve(&arithmetic::Exact, &matrix, &right)?;
-        // By Cramer's rule the numerators are determinants of dyadic numbers, so they are dyadic.
+        // By Cramer's rule, the numerators are determinants with dyadic entries, hence dyadic.
         let numerator = |(x, moved): (&Dyadic, &Vec<Rational>)| {
             Dyadic::of_rational(&(&(&x.rational() + &moved[0]) * &solved.determinant))
         };

@@ -40,8 +40,8 @@ pub(crate) trait ExactMap: Debug + Send + Sync {
         true
     }
 
-    /// Returns the denominator of the map as a polynomial in one variable, chosen at random. If
-    /// `is_removable` is true, returns the factor that cancels in the map instead.
+    /// Returns the map's denominator as a polynomial in one random variable, with the others as in
+    /// `point`. If `is_removable` is true, returns the factor of det A that cancels in the map.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 
@@ -55,11 +55,11 @@ pub(crate) trait ExactStep {
 /// The comparison of a finite result with the exact step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Verdict {
-    /// The relative error in units of 2^−precision; the backward error in tests by residuals.
+    /// The relative error, or in tests of many variables the backward error, times 2^precision.
     pub(crate) error_u: f64,
     /// Whether the error bound of `try_step` holds.
     pub(crate) keeps_promise: bool,
-    /// Whether the relative error is at most 1e-3.
+    /// Whether the result is at least roughly right: its relative error is at most 1e-3.
     pub(crate) is_rough: bool,
 }
 

@@ -34,8 +34,8 @@ fn rational(x: f64) -> BigRational {
     BigRational::from_float(x).unwrap()
 }
 
-/// Compares the step Nᵢ/d and its condition number with those of generated code. The map Φ of a
-/// homogeneous field satisfies Φ(λx, ε/λ) = λΦ(x, ε), so ∂Φ/∂ε = (∂Φ/∂x·x − Φ)/ε.
+/// Compares the step and its condition number with those of generated code. For the map Φ of a
+/// homogeneous field, Φ(λx, ε/λ) = λΦ(x, ε). So ε·∂Φ/∂ε equals (∂Φ/∂x)·x − Φ.
 fn agrees<M: KahanMap<BigRational, 3>>(judge: &Reduced, map: impl Fn(Option<&f64>) -> M) {
     for (seed, regime) in
         (0..120).zip([Regime::Ordinary, Regime::MixedMagnitudes, Regime::NearPole].iter().cycle())

@@ -57,7 +57,7 @@ fn field(
     RandomField { name, kind, states: states.to_vec(), parameters: parameters.to_vec(), equations }
 }
 
-/// Draws fields with one or two quadratic terms in each equation.
+/// Draws a field with one or two quadratic terms in each equation.
 pub fn sparse(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN_STATE_NAMES[..n];
     let equation = |draw: &mut Draw| {
@@ -111,8 +111,7 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     field("Scaled", "parameters, and divisors of them", states, equations, &PARAMETERS)
 }
 
-/// Draws fields with coefficients ±1, and with parameters in some linear terms. If the parameters
-/// are ±1, terms of det A cancel.
+/// Draws a field with coefficients ±1 and parameters. Terms of det A cancel at parameters ±1.
 fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN_STATE_NAMES[..n];
     let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };
@@ -120,7 +119,7 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
         let own = Product(vec![Name(PARAMETERS[draw.below(2)]), draw.state(states)]);
         let square = Product(vec![draw.state(states), draw.state(states)]);
         let mut terms = vec![sign(draw, own), sign(draw, Name(states[i])), sign(draw, square)];
-        // In more than four variables, equations keep one term, so that closed forms are short.
+        // For n > 4 one of these terms is kept, so that closed forms stay short.
         if n > 4 {
             terms = vec![terms.swap_remove((draw.below(2) + i) % 3)];
         }

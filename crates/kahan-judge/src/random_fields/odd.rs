@@ -52,7 +52,7 @@ pub(crate) struct Draw {
     pub(crate) states: Vec<String>,
     pub(crate) parameters: Vec<String>,
     divisors: Vec<String>,
-    /// The largest j in names such as `x[i+j]` and `x[i-j]` in the equations of a chain; else 0.
+    /// The largest j in names such as `x[i+j]` in the equations of a chain. For other fields 0.
     pub(crate) offsets: i64,
     /// The coefficient n·2^k that was written last, as the pair (n, k).
     last: (u64, i64),

@@ -2,9 +2,9 @@
 //! arithmetic.
 //!
 //! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` builds and runs
-//! a crate. `KAHAN_ODD=A,B,C` sets the numbers of fields of up to eight variables, of larger
-//! fields, and of chains (equations for sites i); `0,200,100` takes two hours. `KAHAN_ODD_TRIALS`
-//! sets the number of trials of each field. `KAHAN_ODD_NAMED=Chain74` selects one field.
+//! a crate. `KAHAN_ODD=A,B,C` asks for A fields of up to eight variables, B larger fields and C
+//! chains. With `KAHAN_ODD=0,200,100` the test takes two hours. `KAHAN_ODD_TRIALS` sets the number
+//! of trials of each field. `KAHAN_ODD_NAMED=Chain74` selects one field.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

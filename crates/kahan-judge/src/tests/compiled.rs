@@ -1,6 +1,6 @@
-//! A generated program makes steps by code of the macro. The tests judge its results.
+//! A generated program makes steps with code that the macro expanded. The tests judge its results.
 //!
-//! The programs exchange arguments and results of `try_step` as bits.
+//! The tests and the program exchange arguments and results of `try_step` as bits.
 
 use kahan_algebra::family::Family;
 use kahan_algebra::system::System;
@@ -102,7 +102,7 @@ impl Compiled {
     }
 
     /// Takes the results of `trials` trials from the front of `results`, and tests them. A result
-    /// is the number 1 with the bits of x̃, or the number 0 after an error.
+    /// consists of the number 1 and the bits of x̃. After an error it is the number 0.
     pub(super) fn judge<T: Words>(&self, trials: u64, seed: u64, results: &mut &[u64], tally: &mut Tally) {
         let all = Trials::<T>::new(vec![&self.0], trials, seed);
         for index in 0..Self::count(trials) {

@@ -2,9 +2,9 @@
 //!
 //! Let u be the unit roundoff. A result y is within its error bound if, in every row i,
 //!
-//! A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ,
+//!   |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ
 //!
-//! where k is the number of entries of row i of A for a chain, and of the widest row for a field.
+//! For a chain, k is the number of entries in row i of A. For a field, k is that of the widest row.
 
 use std::cmp::Ordering;
 
@@ -140,7 +140,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Opti
     Some(PolePolynomial { variable, coefficients })
 }
 
-/// Approximates the determinant of A with the rows in `replaced` in place of its own.
+/// Replaces rows of A by those in `replaced`, and approximates the determinant.
 pub(crate) fn determinant(equation: &AtPoint, replaced: &[(usize, &[(usize, Dyadic)])], bits: u64) -> Dyadic {
     let mut matrix = Matrix::of(equation, bits, |_| Vec::new());
     for (i, entries) in replaced {

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-/// Returns the ranges of both parts of a factor's first fraction, or inside its first parentheses.
+/// If a fraction comes first in a factor, returns the ranges of numerator and denominator. If
+/// parentheses come first, returns the range inside them.
 pub(super) fn group_insides(factor: &str) -> Option<Vec<Range<usize>>> {
     const FRACTION: &str = "\\frac{";
     const OPEN: &str = "\\left(";

@@ -341,7 +341,7 @@ fn lifts_are_chosen_by_structure_then_by_the_orbit() {
     };
     let van_der_pol = lifted("x' = y; y' = mu*(1 - x^2)*y - x", &Options::default()).expect("a lift");
     assert_eq!(van_der_pol.relations[0].formula.as_deref(), Some("x2 - x^2 + eps^2*y^2"));
-    // Errors of the relation u = v² would grow if u′ contained 2u. They decay with 2v² instead.
+    // In u′ for u = v², the term 2v² must not become 2u, with which errors of u = v² grow.
     let text = "v' = v - v^3/3 - w + 1/2; w' = 2/25*(v + 7/10 - 4/5*w)";
     let nagumo = lifted(text, &at(&[0.0, 0.0], &[])).expect("a lift");
     assert!(nagumo.text().contains("v2dot = v + 2*v^2"), "{}", nagumo.text());

@@ -1,8 +1,8 @@
 //! Replaces transcendental functions in formulas by independent variables.
 //!
-//! For independent names v, w, … the functions exp v, log v, v^w, tan(v/2), … are algebraically
-//! independent over ℚ. A rational identity between them therefore holds if and only if it holds for
-//! independent variables in their place.
+//! If v, w, … are independent, no polynomial over ℚ vanishes at exp v, log v, v^w, tan(v/2), …. So
+//! an identity that is rational in these functions holds if and only if it holds with new variables
+//! in their place.
 
 use std::collections::BTreeMap;
 
@@ -46,7 +46,7 @@ fn call(name: &str, arguments: &[Formula]) -> Option<Formula> {
             };
             Some(above.over(below))
         }
-        // At another point functions have other values, so `inner` must not contain functions.
+        // Both calls move `inner` to a point where functions have other values.
         ("next" | "back", [.., inner]) => {
             (!has_functions(inner)).then(|| Formula::call(name, arguments.to_vec()))
         }

@@ -55,7 +55,7 @@ fn item(item: &Item) -> LatexItem {
     }
 }
 
-/// Writes a number with as many decimals as in the source; `digit` is one unit of the last place.
+/// Writes a number with k decimals, where `digit` is 10^(−k). Returns `None` if k is 0.
 fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
     let places = digit.denominator().to_string().len() - 1;
     let units = value.checked_div(digit).filter(|_| places > 0)?;

@@ -124,7 +124,7 @@ impl Formula {
         Formula::Power(Box::new(self), Box::new(Formula::integer(exponent)))
     }
 
-    /// Replaces names and calls by the numbers that `number` returns for a name and arguments.
+    /// Replaces each name or call by its `number`, if it has one. A name has no arguments.
     pub(crate) fn replaced(
         &self,
         number: &impl Fn(&str, &[Formula]) -> Result<Option<Rational>, String>,

@@ -61,8 +61,8 @@ impl Identity<'_> {
     /// Checks the relation, and returns the evidence or the reason of a failure.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // Functions are replaced by variables, which may depend on each other. Different
-        // polynomials in them then do not prove that the sides differ.
+        // Functions are replaced by variables, but functions may satisfy relations. So a difference
+        // of two formulas in these variables does not prove that the sides differ.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,

@@ -1,5 +1,5 @@
-//! Proves rational relations modulo primes and over ℚ. Relations that are too large for
-//! both are checked at exact points.
+//! Proves rational relations modulo primes, and over ℚ if the expansion is short. Relations that
+//! are too large for either proof are checked at exact points.
 
 use std::collections::BTreeMap;
 
@@ -44,7 +44,7 @@ impl Identity<'_> {
                 Relation::Equal if left != right => {
                     return Err(self.refutation(left, right, &names, &mut random));
                 }
-                // For `Different`, a single point at which the sides differ is a proof.
+                // One point at which the sides differ is as good a proof as different normal forms.
                 Relation::Different if left != right => return Ok(Evidence::NormalForm),
                 _ => {}
             }
@@ -125,7 +125,7 @@ impl Identity<'_> {
         Err("it divides by zero".to_owned())
     }
 
-    /// Describes an exact point at which both sides differ.
+    /// Describes an exact point where the sides differ, or else `left` and `right` modulo a prime.
     fn refutation(&self, left: u64, right: u64, names: &[String], random: &mut dyn Random) -> String {
         if let (Some(a), Some(b)) = (rationalise(self.left), rationalise(self.right)) {
             for _ in 0..MOST_DRAWS {

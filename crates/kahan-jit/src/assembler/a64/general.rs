@@ -10,9 +10,9 @@ pub(crate) struct GeneralRegister(u8);
 impl GeneralRegister {
     /// The argument registers of a function, in the order of the arguments.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self(0), Self(1), Self(2), Self(3), Self(4)];
-    /// Caller-saved registers that are free for other uses.
+    /// Caller-saved registers that hold no arguments.
     pub(crate) const SPARE: [Self; 3] = [Self(9), Self(10), Self(11)];
-    /// The registers that hold the addresses of columns.
+    /// The registers in which a sweep holds the addresses of its columns.
     pub(crate) const POINTERS: [Self; 13] = [
         Self(5),
         Self(6),
@@ -150,7 +150,7 @@ impl Assembler {
         self.word(word | load | (offset / 8) << 15 | (first + 1) << 10 | first);
     }
 
-    /// Writes `sub sp, sp, #bytes`, which lowers the stack pointer by at most one page.
+    /// Writes `sub sp, sp, #bytes`, where `bytes` is at most the size of a page.
     pub(super) fn lower_stack(&mut self, bytes: usize) {
         const PAGES: u32 = 1 << 22;
 
@@ -234,7 +234,8 @@ pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     });
 }
 
-/// Patches adrp with the distance to `target` in pages, and the load with the offset in its page.
+/// Patches two instructions: adrp gets the distance to the page of `target`, and the load gets the
+/// offset in this page.
 pub(super) fn refer_by_page(code: &mut [u8], place: usize, target: usize, size: usize) {
     let pages = ((target >> 12) as i64 - (place >> 12) as i64) as u32;
     change(code, place, |word| word | (pages & 3) << 29 | (pages >> 2 & 0x7_ffff) << 5);

@@ -57,7 +57,7 @@ impl Assembler {
 
     /// Begins a function, which saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &FrameNeeds) {
-        /// The most bytes of code of one operation: twelve words, and a constant of 16 bytes.
+        /// An operation takes at most twelve words of code, and 16 bytes for a constant.
         const LONGEST: usize = 12 * 4 + 16;
 
         self.is_long = needs.instructions >= REACH / LONGEST - PAGE / 4;
@@ -97,7 +97,7 @@ impl Assembler {
         self.form.width == Width::Scalar
     }
 
-    /// Writes an instruction on three registers, whose encodings differ for scalars and vectors.
+    /// Writes an instruction with three register operands: the word `scalar` or `packed`.
     fn three(&mut self, [scalar, packed]: [u32; 2], to: Vector, a: Vector, b: Vector) {
         let word = if self.is_scalar() { scalar } else { packed };
         self.word(word | self.precision() | number(b) << 16 | number(a) << 5 | number(to));
@@ -117,7 +117,7 @@ impl Assembler {
         }
     }
 
-    /// Writes to = a ∘ b for the operator ∘.
+    /// Writes the instruction `to` = a ∘ b, where ∘ is `operator`.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let words = match operator {
             Binary::Add => [0x1e20_2800, 0x4e20_d400],
@@ -135,13 +135,13 @@ impl Assembler {
         self.three(words, to, a, b);
     }
 
-    /// Writes to = a if a > b, else to = b. If `greater` is false, the condition is a < b.
+    /// Writes `to` = if a > b { a } else { b }. If `greater` is false, the condition is a < b.
     fn choose(&mut self, greater: bool, to: Vector, a: Vector, b: Vector) {
         const GREATER: u32 = 12;
         const LESS: u32 = 4;
 
         if self.is_scalar() {
-            // fcmp a, b and fcsel to, a, b, condition.
+            // For scalars, the words encode fcmp a, b and then fcsel to, a, b, condition.
             let condition = if greater { GREATER } else { LESS };
             self.word(0x1e20_2000 | self.precision() | number(b) << 16 | number(a) << 5);
             let select = 0x1e20_0c00 | self.precision() | condition << 12;
@@ -158,7 +158,7 @@ impl Assembler {
             // bit takes a where the mask is set.
             self.bits(0x6ea0_1c00, to, a, mask);
         } else {
-            // bif takes b where the mask is not set.
+            // The instruction bif replaces `to` by b in the lanes where the mask is not set.
             self.bits(0x6ee0_1c00, to, b, mask);
         }
     }
@@ -251,7 +251,7 @@ impl Assembler {
         if self.form.element == Element::Single {
             return self.copy(to, from);
         }
-        // The words encode fcvt twice for scalars, and fcvtn and fcvtl for vectors.
+        // The instructions are fcvt to single and fcvt back, or for vectors fcvtn and fcvtl.
         let [narrow, wide] =
             if self.is_scalar() { [0x1e62_4000, 0x1e22_c000] } else { [0x0e61_6800, 0x0e61_7800] };
         self.word(narrow | number(from) << 5 | number(to));

@@ -1,7 +1,7 @@
 //! The encoding of vector instructions: each has a prefix, an opcode and operands.
 //!
 //! VEX prefixes allow 16 registers of up to 256 bits, and EVEX prefixes 32 registers of up to 512
-//! bits. Prefixes hold the complements of the high bits of register numbers.
+//! bits. Prefixes hold the high bits of register numbers, inverted.
 
 use super::{Assembler, Element, GeneralRegister, Memory, OperandForm, Source, Vector, Width};
 
@@ -66,8 +66,8 @@ fn inverted(number: u8, k: u8) -> u8 {
 
 impl Assembler {
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // ModRM and SIB hold the lower three bits of register numbers, and the prefix holds the
-        // higher bits. For operand b these are `x` and `base`.
+        // ModRM and SIB hold the lowest three bits of register numbers, and the prefix holds the
+        // higher bits. `x` and `base` are the higher bits for the registers in b.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -84,7 +84,7 @@ impl Assembler {
             Some(other) if is_evex => other,
             _ => (opcode.prefix, opcode.opcode),
         };
-        // In VEX, W gives the element type only for fused multiply-adds, whose opcode map is 2.
+        // In VEX, only fused multiply-adds (map 2) use the bit W for the element type.
         let wide = u8::from(is_wide && (is_evex || map == 2)) << 7;
         let second = (!a.0 & 15) << 3;
         if is_evex {
@@ -104,8 +104,8 @@ impl Assembler {
     /// Writes ModRM, SIB and the offset. In EVEX the offset always takes 4 bytes, since EVEX scales
     /// short offsets.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
-        /// In the base field of ModRM, the value 4 announces a SIB byte. In mode 0, the value 5
-        /// means an address relative to the program counter.
+        /// In the base field of ModRM, 4 (`MORE`) announces a SIB byte. In mode 0, 5 means an
+        /// address relative to the program counter.
         const MORE: u8 = 4;
         const BEHIND_THE_CODE: u8 = 5;
 
@@ -128,7 +128,7 @@ impl Assembler {
             Source::Memory(Memory::Indexed { base, index }) => {
                 assert!(index != GeneralRegister::Rsp, "this register is no index");
                 let index = (index as u8 & 7) << 3;
-                // The offset is 0, but some base registers require an offset of one or four bytes.
+                // The offset 0 is written, because the base registers rbp and r13 need an offset.
                 if may_be_short {
                     self.bytes.extend([0x40 | register | MORE, index | base as u8 & 7, 0]);
                 } else {

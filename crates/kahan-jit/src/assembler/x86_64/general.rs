@@ -26,9 +26,9 @@ pub(crate) enum GeneralRegister {
 impl GeneralRegister {
     /// The argument registers of a function, in the order of the arguments.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self::Rdi, Self::Rsi, Self::Rdx, Self::Rcx, Self::R8];
-    /// Caller-saved registers that are free for other uses.
+    /// Caller-saved registers that hold no arguments.
     pub(crate) const SPARE: [Self; 3] = [Self::Rax, Self::R9, Self::R10];
-    /// The registers that hold the addresses of columns.
+    /// The registers in which a sweep holds the addresses of its columns.
     pub(crate) const POINTERS: [Self; 6] = [Self::R11, Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
     /// The callee-saved registers among [`POINTERS`](Self::POINTERS).
     pub(super) const SAVED: [Self; 5] = [Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
@@ -53,7 +53,7 @@ pub(crate) struct Label(pub(crate) usize);
 pub(crate) struct ForwardJump(usize);
 
 impl Assembler {
-    /// Writes an instruction on `other`. The number `register` is a register or three opcode bits.
+    /// Writes an instruction on `other`. `register` is a second register, or three opcode bits.
     fn on_registers(&mut self, opcode: u8, register: u8, other: GeneralRegister) {
         let other = other as u8;
         let prefix = 0x48 | register >> 3 << 2 | other >> 3;

@@ -76,7 +76,7 @@ impl Assembler {
         self.ret();
     }
 
-    /// Writes to = a ∘ b for the operator ∘. Scalar `ExclusiveOr` also changes upper lanes of `to`.
+    /// Writes `to` = a ∘ b, where ∘ is `operator`. Scalar `ExclusiveOr` also changes upper lanes.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,

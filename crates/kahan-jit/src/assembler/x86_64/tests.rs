@@ -236,7 +236,7 @@ fn all(bytes: &[u8]) -> Vec<Instruction> {
 #[test]
 fn numbers_are_rounded_to_single_precision_and_taken_back() {
     for form in FORMS.into_iter().filter(|form| form.element == Element::Double) {
-        // The single-precision numbers fill half of the register, but at least 128 bits.
+        // Single-precision numbers fill half of the register. The shortest registers have 128 bits.
         let half = match form.width {
             Width::Bits512 => Width::Bits256,
             _ => Width::Bits128,

@@ -31,8 +31,8 @@ impl<T: num_traits::Float> Guarded<T> {
         let used = len * size_of::<T>();
         let inner = used.next_multiple_of(PAGE);
         let bytes = inner + 2 * PAGE;
-        // SAFETY: the system chooses unused addresses, and fills the pages with zeros, which are
-        // numbers. The slice starts or ends at a page boundary, so it is aligned.
+        // SAFETY: the system chooses unused addresses, and fills the pages with zero bytes, which
+        // are valid numbers. The slice starts or ends at a page boundary, so it is aligned.
         unsafe {
             let flags = MapFlags::PRIVATE | MapFlags::NORESERVE;
             let pages = mmap_anonymous(ptr::null_mut(), bytes, ProtFlags::empty(), flags);

@@ -9,7 +9,7 @@ use super::{at_least, enclosed, name, write};
 pub(super) const FUNCTIONS: [&str; 14] =
     ["exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "coth", "sech", "sn", "cn", "dn", "atanh"];
 
-/// Calls that are enclosed in parentheses before they are raised to a power.
+/// Calls that are written without delimiters, so that a power of them needs parentheses.
 pub(super) const OPEN_ENDED: [&str; 5] = ["back", "d", "on", "at", "sum"];
 
 /// Writes a call. The function's name is followed by `power`, an exponent or an empty text.

@@ -94,7 +94,7 @@ fn operations_are_what_was_asked_for() {
         (S4, &|x| x.binary(Binary::ExclusiveOr, v(9), v(23), r(1)), &[0x6ea0_f931]),
         // mov v17.16b, v9.16b
         (S4, &|x| x.copy(v(9), v(23)), &[0x4ea9_1d31]),
-        // mov v17.16b, v9.16b
+        // mov v17.16b, v9.16b (numbers in single precision are only copied)
         (S4, &|x| x.round_to_single(v(9), v(23)), &[0x4ea9_1d31]),
         // fadd v0.2d, v1.2d, v2.2d
         (D2, &|x| x.binary(Binary::Add, v(0), v(1), r(2)), &[0x4e62_d420]),
