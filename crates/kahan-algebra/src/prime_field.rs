@@ -1,7 +1,7 @@
 //! Arithmetic modulo primes below 2^62, and tests for primes.
 //!
-//! The prover evaluates identities in a prime field at seeded points. The primality test is
-//! certain. Equal seeds give equal primes and points on every machine.
+//! The prover evaluates both sides of an identity at random points of a prime field. The primality
+//! test never errs. Equal seeds give equal primes and points on every machine.
 
 mod random;
 #[cfg(test)]
@@ -22,7 +22,7 @@ pub struct PrimeField {
 }
 
 impl PrimeField {
-    /// The field with 2^61 − 1 elements, for results that do not depend on the prime.
+    /// The field with 2^61 − 1 elements, for computations that need no random prime.
     pub const MERSENNE_61: Self = Self { prime: (1 << 61) - 1 };
 
     /// Returns the field with `prime` elements. Returns `None` unless `prime` is a prime below

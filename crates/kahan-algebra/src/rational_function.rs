@@ -137,7 +137,7 @@ impl RationalFunction {
 
     /// Returns the product, or an error if it exceeds the budget.
     pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
-        // Factors in lowest terms can cancel only between a numerator and the other denominator.
+        // Both fractions are reduced, so only a numerator and the other denominator can cancel.
         let (a, d) = cancel(&self.numerator, &other.denominator, budget)?;
         let (c, b) = cancel(&other.numerator, &self.denominator, budget)?;
         Ok(Self::from_coprime(a.mul_within(&c, budget)?, b.mul_within(&d, budget)?))
@@ -209,10 +209,7 @@ fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> W
     Ok(multiple.div_within(divisor, budget)?.expect("a common divisor divides"))
 }
 
-/// Runs a computation with a budget for degrees only.
-///
-/// # Panics
-/// If a total degree exceeds 2^24.
+/// Runs a computation with a budget that limits only total degrees.
 fn unlimited<T>(compute: impl FnOnce(&mut Budget) -> WithinBudget<T>) -> T {
     compute(&mut Budget::unlimited()).expect("total degrees stay below 2^24")
 }

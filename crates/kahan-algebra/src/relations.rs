@@ -1,8 +1,8 @@
 //! Solves relations between parameters and ε for names that occur linearly.
 //!
-//! The result gives some names as rational functions of the other names. If a relation a·v + b = 0
-//! is solved for v, a is assumed not to be 0, so its factors are cancelled in later relations. If a
-//! and b are coprime, a·v + b is irreducible, and the solutions do not depend on the choice of v.
+//! The result gives some names as rational functions of the other names. To solve a relation a·v +
+//! b = 0 for v, a is assumed not to be 0. Later relations are then divided by the factors of a. If
+//! a and b are coprime, a·v + b is irreducible, and the solutions do not depend on the choice of v.
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, WithinBudget, gcd_within};
 use crate::rational_function::RationalFunction;
@@ -41,7 +41,7 @@ enum Solvability {
     Number,
     /// The coefficients a and b are coprime.
     Irreducible,
-    /// The coefficients a and b have a common factor, assumed to be nonzero.
+    /// The coefficients a and b have a common factor, which is assumed to be nonzero.
     Factor,
     /// The coefficient b is 0, so either v or a may vanish.
     Product,
@@ -115,7 +115,7 @@ impl Relations {
             let nonzero = self.nonzero[index].clone();
             own = without(own, &nonzero, &mut self.budget)?;
         }
-        // Let `own` = a·v + b with v = `name`. A common factor of a and b divides `own`.
+        // Let `own` = a·v + b with v = `name`. If a and b have a common factor, `own` is a product.
         let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
             return Ok(());
         };

@@ -62,8 +62,8 @@ impl System {
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
-    /// Returns the system with this value of ε in its coefficients, and without claims. Returns
-    /// `None` if the field then divides by zero, which never happens for ε = 0.
+    /// Replaces ε in the coefficients by this value, and drops the claims. Returns `None` if the
+    /// field then divides by zero, which never happens for ε = 0.
     #[must_use]
     pub fn at_eps(&self, eps: &Rational) -> Option<System> {
         let Field { symbols, components } = &*self.field;
@@ -131,8 +131,8 @@ impl Specialisation<'_> {
         self.function(&numerator.checked_div(&denominator)?)
     }
 
-    /// Inserts values into the field as written. Returns `None` if a value is not a polynomial, or
-    /// if the written formula divides by something that cancels in the reduced component.
+    /// Inserts values into the field as written. Returns `None` if a value is not a polynomial.
+    /// Also returns `None` if the written formula has a divisor that the reduced component lacks.
     fn specialised_subexpressions(
         &self,
         kept: &FieldWithSubexpressions,

@@ -1,9 +1,9 @@
-//! The written form of a field. Sums in products and reciprocals of divisors become named
-//! subexpressions (`Subexpressions`).
+//! The field as the user wrote it. Sums that are factors, and reciprocals of divisors, are named
+//! subexpressions.
 //!
 //! Expansion can lose digits. For example, `(p - q)*x*y` is accurate for p near q, but
 //! `p*x*y - q*x*y` is not. An expanded product of divisors can also be rounded to 0 although no
-//! divisor is 0. Plans for floats therefore use polynomials in states, parameters and named
+//! divisor is 0. Steps in floats therefore use polynomials in states, parameters and named
 //! subexpressions. With all subexpressions inserted, the components are those of the [`Field`].
 
 use kahan_program::Numbered;
@@ -30,7 +30,7 @@ pub enum Sensitivity {
 /// A named subexpression in states, parameters and earlier subexpressions.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Value {
-    /// A sum as a factor.
+    /// A sum that is a factor of a product.
     Sum(Polynomial),
     /// The reciprocal of a divisor without states.
     Reciprocal(Polynomial),
@@ -51,13 +51,13 @@ pub struct FieldWithSubexpressions {
     pub(crate) components: Vec<Polynomial>,
 }
 
-/// A field for step plans, in which parameters replace subexpressions without states.
+/// A field for step plans. Each subexpression without states is replaced by a new parameter.
 #[derive(Clone, Debug)]
 pub(crate) struct FieldWithConstants {
     pub(crate) field: Field,
-    /// The field with sums of states as subexpressions. `None` if there are no such sums.
+    /// The field with sums of states as subexpressions. `None` if all sums are expanded.
     pub(crate) kept: Option<FieldWithSubexpressions>,
-    /// The subexpression of each added parameter.
+    /// For each new parameter, the index of the subexpression that it replaces.
     pub(crate) places: Vec<usize>,
     pub(crate) values: Subexpressions,
     pub(crate) symbols: Symbols,
@@ -103,7 +103,7 @@ impl Subexpressions {
         self
     }
 
-    /// Turns a polynomial into a factor. A sum becomes a number times a named subexpression.
+    /// Returns a single term itself, and a sum as a number times a named subexpression.
     pub(crate) fn factor(&mut self, polynomial: &Polynomial) -> Polynomial {
         if polynomial.len() < 2 {
             return polynomial.clone();
@@ -224,7 +224,7 @@ fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
 
 impl FieldWithSubexpressions {
     /// Builds a field with only those subexpressions that its components need. If ε occurs only in
-    /// even powers, these become powers of a subexpression ε², the first one.
+    /// even powers, these become powers of the first subexpression, which is ε².
     pub(crate) fn new(values: Subexpressions, components: Vec<Polynomial>) -> Self {
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -328,7 +328,7 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions::new(Subexpressions::of(tangent).with(renamed), components)
     }
 
-    /// Returns ∂f/∂a for a parameter a, and f + ε ∂f/∂ε for ε. The caller divides the latter by ε.
+    /// Returns ∂f/∂a for a parameter a. For ε, returns ∂(εf)/∂ε, which the caller divides by ε.
     fn parameter_derivatives(
         &self,
         symbols: &Symbols,
@@ -367,8 +367,8 @@ impl FieldWithSubexpressions {
         (values, rows)
     }
 
-    /// Replaces subexpressions without states by parameters. Returns `field` unchanged if other
-    /// monomials in the states would then occur.
+    /// Replaces subexpressions without states by parameters. Returns `field` unchanged if the
+    /// result would have monomials in the states that `field` lacks.
     pub(crate) fn with_constants(&self, field: &Field) -> FieldWithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
@@ -431,8 +431,8 @@ impl FieldWithSubexpressions {
     /// Returns whether a step that is planned from expanded sums may lose digits.
     ///
     /// This may happen if a term contains two written sums, or a constant and a sum as in
-    /// `(y - 1)/s`. A sum that contains the state xᵢ is harmless in ẋᵢ, because its constant factor
-    /// then also occurs on the diagonal of A. All subexpressions must be sums.
+    /// `(y - 1)/s`. In ẋᵢ, a constant times a sum with xᵢ is harmless, because the constant is also
+    /// on the diagonal of A. The caller ensures that all subexpressions are sums.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let is_sum = |variable: Variable| self.values.place(variable).is_some();
         let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);
@@ -449,7 +449,8 @@ impl FieldWithSubexpressions {
         })
     }
 
-    /// Replaces each variable by the result of `put`. New subexpressions are added to `others`.
+    /// Replaces each variable of the components by the result of `put`. New subexpressions are
+    /// added to `others`.
     pub(crate) fn with(
         &self,
         others: &mut Subexpressions,
@@ -484,7 +485,7 @@ impl FieldWithSubexpressions {
 }
 
 impl FieldWithConstants {
-    /// Returns the expanded field, in which no subexpression became a parameter.
+    /// Returns the expanded field without new parameters.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
         let values = Subexpressions::of(&symbols);

@@ -24,7 +24,7 @@ pub struct System {
     pub constants: Vec<(String, Rational)>,
     /// The vector field.
     pub field: Arc<Field>,
-    /// The field with sums and divisors as written. Plans are made from it.
+    /// The field with sums and divisors as written. Step plans are made from it.
     pub kept: Arc<FieldWithSubexpressions>,
     /// The right-hand sides as written. The list is empty for derived systems.
     pub written: Arc<[Expr]>,
@@ -41,14 +41,14 @@ pub struct Claim {
     pub name: Name,
     /// The claim as written.
     pub body: ClaimBody,
-    /// The plan of the claim. A drift has the outputs F(x) and the claimed value of F(x̃). A
-    /// bracket has its entries above the diagonal, row by row. Any other claim has one output.
+    /// The plan of the claim. Its outputs are F(x) and the claimed F(x̃) for a drift, and the
+    /// entries above the diagonal, row by row, for a bracket. Any other claim has one output.
     pub plan: Plan,
     /// The conditions of the claim.
     pub conditions: Vec<Condition>,
 }
 
-/// A solved relation behind `when` between parameters and ε.
+/// A relation between parameters and ε, written after `when` and solved for one name.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The condition as written.
@@ -62,8 +62,8 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// Builds the conditions of a claim. Each item has a relation as written, the name for which it
-    /// was solved, and the range of its divisors in `relations.nonzero()`.
+    /// Builds a claim's conditions. An item holds the relation as written, the name for which it
+    /// was solved, and the indices of its divisors in `relations.nonzero()`.
     pub(crate) fn all(
         solved: Vec<(syntax::Condition, Variable, Range<usize>)>,
         relations: &Relations,
@@ -135,7 +135,7 @@ impl Claim {
     }
 }
 
-/// Returns the index of entry (i, j), i < j, among the entries above the diagonal, row by row.
+/// Returns the row-by-row index of entry (i, j) with i < j among the entries above the diagonal.
 #[must_use]
 pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
     i * (2 * n - i - 1) / 2 + (j - i - 1)
@@ -153,7 +153,7 @@ impl System {
         }
     }
 
-    /// Returns the unconditional claims of one kind.
+    /// Returns the claims of one kind without conditions. Generated code has methods for them.
     pub fn accessors(&self, kind: ClaimKind) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(move |claim| claim.kind == kind && claim.is_unconditional())
     }

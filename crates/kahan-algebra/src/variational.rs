@@ -1,8 +1,8 @@
 //! Derives the variational field, which extends a field by tangent vectors.
 //!
-//! The field ẋ = f(x) is extended by v̇ = f′(x)·v + ∂f/∂a for a parameter a. Polarisation and
-//! differentiation commute, so the map becomes x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a. For a = ε, the time
-//! step changes as well, so f/ε + ∂f/∂ε replaces ∂f/∂a.
+//! For the derivative v = ∂x/∂a by a parameter a, the field ẋ = f(x) is extended by v̇ = f′(x)·v +
+//! ∂f/∂a. Polarisation and differentiation commute, so the map becomes x ↦ x̃, v ↦ (∂x̃/∂x)·v +
+//! ∂x̃/∂a. For a = ε, the time step changes as well, so f/ε + ∂f/∂ε replaces ∂f/∂a.
 
 use crate::field::Field;
 use crate::poly::Polynomial;
@@ -19,8 +19,8 @@ impl System {
     }
 
     /// Returns the system for x and a vector of derivatives for each entry of `by`, without claims.
-    /// Names of derivatives begin with `d`. For [`Sensitivity::Epsilon`], the system gets a further
-    /// parameter 1/ε, the last one.
+    /// Names of derivatives begin with `d`. For [`Sensitivity::Epsilon`], a last parameter is
+    /// added, which stands for 1/ε.
     #[must_use]
     pub fn sensitivities(&self, by: &[Sensitivity]) -> System {
         let field = &self.field;

@@ -11,7 +11,7 @@ use kahan_algebra::read;
 use kahan_algebra::system::System;
 use kahan_algebra::variational::Sensitivity;
 
-/// If k is replaced by ε², a factor of this field's map cancels and must be divided out.
+/// With k = ε², the map of this field has a common factor that must be divided out.
 const REPAIRED: &str = "struct P { b, k } xdot = x^2; ydot = (1 - k*b^2)*x*y + b*y;";
 
 /// The parameter `k` is replaced by ε².
@@ -106,7 +106,6 @@ fn the_map_is_that_of_the_field_with_eps_squared_put_in() {
 #[test]
 fn factors_that_cancel_for_these_coefficients_are_divided_out() {
     let own = with_eps(REPAIRED);
-    // The factor that cancels in the map is zero at this point.
     let [half, one, y] = [Rational::new(1, 2), Rational::ONE, Rational::from(5)];
     let point = Point { state: vec![Rational::new(4, 3), y], parameters: vec![one], eps: half };
     let next = Interpreter::new(&own).next(&Exact, &point).expect("the reduced map has a value");

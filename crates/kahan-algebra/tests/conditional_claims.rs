@@ -8,7 +8,7 @@ use kahan_algebra::render::{claim_text, condition_note, macro_block};
 use kahan_algebra::system::System;
 use kahan_algebra::{derive, lexer, read, read_unproved, seed};
 
-/// The derivative of x + y + z is (p + q + r) x y.
+/// The time derivative of x + y + z is (p + q + r) x y.
 const SUM: &str = "xdot = p*x*y; ydot = q*x*y; zdot = r*x*y;";
 /// The derivative of a b x + y − a z is (a b c + 1) x y.
 const VOLTERRA: &str = "xdot = x*(c*y + z); ydot = y*(x + a*z); zdot = z*(b*x + y);";
@@ -53,7 +53,7 @@ fn both_provers_decide_claims_on_their_relations() {
             ],
             &["p = q, r = 2*p", "r = p - q", "r = -p - 2*q", "eps = 1"],
         ),
-        // Division by q implies q ≠ 0, hence r = 0 and p = 0.
+        // To solve p·q = r² for p, q ≠ 0 is assumed. Then r = 0 and p = 0.
         (SUM, "integral D = x + z", &["p*q = r^2, q*r = 0"], &[]),
         (
             VOLTERRA,
@@ -163,7 +163,7 @@ fn a_counterexample_satisfies_the_relations() {
 
 #[test]
 fn the_degrees_of_solved_names_enter_the_error_bound() {
-    // The claim has a degree of about 10⁵. With p = q^64, the degree exceeds the limit 2²⁰.
+    // With p = q^64, the degree of the claim rises from about 10⁵ to more than the limit 2²⁰.
     let of = |when: &str| verdict(&format!("{SUM} integral S = ((x + y + z)^64)^64 when {when};"));
     assert!(matches!(of("r = -p - q"), Verdict::Proved(_)));
     assert_eq!(of("r = -p - q, p = q^64"), Verdict::TooLarge);
@@ -241,7 +241,7 @@ fn what_is_fixed_later_is_put_into_relations() {
     assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 4)]), None);
-    // With a2 = 0, a divisor of the relation is zero, so the claim is dropped.
+    // With a2 = 0, the relation divides by zero, so the claim is dropped.
     assert_eq!(condition(&[(1, 0)]), None);
     assert_eq!(condition(&[(1, 0), (2, 0)]), None);
 }

@@ -1,7 +1,7 @@
-//! Tests that each hint leads to a text without mistakes, or to a page of the documentation.
+//! Tests that each hint gives a correct text, or names a page of the documentation.
 //!
-//! Each row has a text with one mistake, and the text to which the hint leads. Text that the hint
-//! quotes must occur in the second text.
+//! Each row has a text with one mistake, and the corrected text. Text that the hint quotes must
+//! occur in the corrected text.
 
 use std::path::Path;
 
@@ -11,7 +11,6 @@ use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::{lenient, lexer, read};
 
 const PAGE: &str = "docs/how-to/not-quadratic.md";
-/// The page about texts in other notations.
 const ON_TEXTS: &str = "docs/how-to/texts.md";
 
 fn checked(text: &str) -> Checked {
@@ -126,7 +125,8 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(PAGE).exists());
 }
 
-/// Texts of other tools are refused. Each row has the text or the page to which the hint leads.
+/// Texts of other tools are refused. Each row has such a text, words of the hint, and the corrected
+/// text or a page.
 #[test]
 fn hints_on_texts_of_other_tools_lead_on() {
     let leniently = |text: &str| read(&lenient::read(text).lexed.tokens);

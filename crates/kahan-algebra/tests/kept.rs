@@ -29,8 +29,6 @@ fn q(value: i64) -> Rational {
 
 #[test]
 fn a_difference_and_a_divisor_are_computed_as_they_are_written() {
-    // At these values, adding the two fractions over a common divisor would lose half of the
-    // digits.
     let (p, r) = (1.0 + 1e-9, 0.5);
     let f = field("xdot = (p - q)*x/(1 + r) + x/(p - q); ydot = y;", &Float64, &[3.0, 1.0], &[p, 1.0, r]);
     assert_eq!(f.expect("defined")[0], (1.0 / (1.0 + r)) * (3.0 * (p - 1.0)) + (1.0 / (p - 1.0)) * 3.0);

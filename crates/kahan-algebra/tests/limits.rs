@@ -32,7 +32,7 @@ enum Tied {
     /// Makes a block of size n. At the limit, the block must be accepted, and for the next larger n
     /// it must be refused.
     AtTheLimit(fn(usize) -> String),
-    /// A block far beyond the limit, which the message states.
+    /// A block far beyond the limit. The error message must state the limit.
     InWords(String),
 }
 use Tied::{AtTheLimit, InWords};
@@ -77,7 +77,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
         ),
         ("decimal exponents", AtTheLimit(|n| format!("xdot = 1e{n}*x;"))),
         ("digits of a number", AtTheLimit(|n| format!("xdot = {}*x;", "1".repeat(n)))),
-        // The number 3 has two bits, so its n-th power is taken to have 2n bits.
+        // The limit counts 2n bits for the n-th power of 3, because 3 has two bits.
         ("bits of the power of a number", AtTheLimit(|n| format!("xdot = 3^{}*x;", n.div_ceil(2)))),
         (
             "terms of an expansion",
@@ -162,7 +162,7 @@ fn many_large_expansions_are_one_mistake() {
 
 #[test]
 fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
-    // The equations use about 11 · 170 000 of the budget of 2 000 000 multiplications of terms.
+    // The 11 equations need 11 · 170 000 multiplications of terms. The budget is 2 000 000.
     let power = "(1 + a + b + c)^30";
     let equations = |array: &str| listed(11, |k| format!("x{k}{array}dot = {power}*x{k}{array};"), " ");
     let system = |claims: &str| format!("{} ydot = d*x0; {claims}", equations(""));

@@ -1,4 +1,4 @@
-//! Checks that the map preserves the integrals that polarisation and rotation find.
+//! Checks that the map preserves the integrals that `modified_integrals` finds.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -123,7 +123,8 @@ fn lifted_fields_keep_relations_and_energies() {
             "Polarisation: 2*a + 2*b + p1^2 + p2^2 + p3^2 - 2*eps^2*a^2 + 2*eps^2*a*b - 2*eps^2*b^2",
         ],
     );
-    // Kepler's problem: a = r⁻³, b = (xp + yq)/r², c = (p² + q²)/r², F = ax, G = ay, u = −1/r.
+    // Kepler's problem with r² = x² + y². The other variables are a = r⁻³, b = (xp + yq)/r², c =
+    // (p² + q²)/r², F = ax, G = ay, u = −1/r.
     check(
         "xdot = p; ydot = q; pdot = -F; qdot = -G; adot = -3*a*b; bdot = c - 2*b^2 - a; \
          cdot = -2*b*(a + c); Fdot = a*p - 3*b*F; Gdot = a*q - 3*b*G; udot = F*p + G*q;",
@@ -160,11 +161,10 @@ fn pairs_that_turn_are_found_with_their_scales_and_centres() {
 #[test]
 fn fields_that_nearly_fit_keep_nothing() {
     for text in [
-        // The derivative ẋ is not affine.
+        // Polarisation needs an affine ẋ.
         "xdot = y + x^2; ydot = x*w - 3*y^2; wdot = 2*x*y + x^2;",
-        // The derivative dI/dt vanishes only on s² + c² = 1.
         "xdot = p; pdot = -s; sdot = 2*c*p; cdot = -s*p + c;",
-        // Here ṡ/(sm) = 1 and ẇ/(wm) = −2 are not opposite. In the next field, ċ contains m².
+        // The hyperbolic case needs ṡ/(sm) = −ẇ/(wm). In the next field, ċ contains m².
         "sdot = s*m; wdot = -2*w*m; mdot = s*m + w^2 - 1;",
         "sdot = c*m; cdot = (m - s)*m; mdot = s*m + w^2 - 1; wdot = s^2 - w;",
         "sdot = c*m + s*c; cdot = -s*m - s^2 + 1; mdot = s*m + c^2 - 1;",

@@ -47,7 +47,7 @@ fn both_provers_agree_on_true_and_on_false_claims() {
         (E6, "bracket F { {x,y} = x*(1 + 3*eps^2*y^2); {y,z} = z*(1 + 3*eps^2*y^2); {z,x} = 2*y; }", false),
         (GROWING, "bracket F { {y,z} = y*z; }", true),
         (GROWING, "bracket F { {y,z} = 1; }", false),
-        // The claim is undefined at every small number x.
+        // The claim divides by zero if x is a fraction of integers up to 3.
         (
             GROWING,
             "integral F = 1/(x*(x^2 - 1)*(x^2 - 4)*(x^2 - 9)*(4*x^2 - 1)*(4*x^2 - 9)*(9*x^2 - 1)*(9*x^2 - 4));",
@@ -110,7 +110,7 @@ fn a_claim_that_divides_by_zero_identically_is_undefined() {
 
 #[test]
 fn multiples_of_large_primes_are_no_hiding_place() {
-    // The claim holds modulo `prime`, so a prover with only this prime would accept it.
+    // The claim holds modulo `prime`. A proof modulo this prime alone would accept it.
     for prime in ["2305843009213693951", "2305843009213693921", "1152921504606846883"] {
         let text = format!("{E3} integral F = y/x + {prime}*z;");
         assert!(matches!(verdicts(&text)[..], [Verdict::Refuted(_)]), "{prime}");
@@ -125,8 +125,8 @@ fn the_number_of_points_follows_from_the_bound() {
     assert_eq!(points_needed(u64::MAX, 0), None);
 }
 
-/// With k points, a false claim is accepted if it passes at k of the first k + 15 steps. Each step
-/// tries up to 16 points.
+/// To prove a claim with k points, the prover tries at most k + 15 steps. For each step it draws at
+/// most 16 points.
 #[test]
 fn the_points_of_a_proof_pay_for_every_draw_that_may_pass_wrongly() {
     for degree in (0..46).flat_map(|power| [1_u64 << power, 3 << power]) {

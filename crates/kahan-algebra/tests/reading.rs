@@ -225,7 +225,7 @@ fn what_once_went_wrong_stays_mended() {
     assert!(message.contains('@') && !message.contains("empty"), "{message}");
 }
 
-/// In claims and in equations, powers of numbers may have larger exponents than powers of states.
+/// Powers of numbers may have larger exponents than states, in equations and in claims.
 #[test]
 fn claims_take_powers_of_numbers_as_equations_do() {
     let claim = |text: &str| {

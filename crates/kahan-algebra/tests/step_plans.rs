@@ -128,7 +128,7 @@ fn every_form_solves_the_scheme() {
     }
 }
 
-/// Fields with four to seven states and few terms are too large to expand.
+/// Random fields with four to seven states and few terms. Their maps are too large to expand.
 #[test]
 fn random_sparse_fields_are_stepped_by_their_structure() {
     let mut numbers = Numbers(SplitMix64::new(42));
@@ -197,8 +197,8 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     assert!(next(&step, &at(Rational::from(-2))).is_some());
 }
 
-/// With one variable, the increment is a quotient if the divisor depends on the state. Otherwise it
-/// is a product with a reciprocal.
+/// With one variable, a divisor that depends on the state divides the increment. Any other divisor
+/// is replaced by a prepared reciprocal.
 #[test]
 fn a_single_variable_is_divided_at_once() {
     for (text, divisions, reciprocals) in [
@@ -215,8 +215,8 @@ fn a_single_variable_is_divided_at_once() {
     }
 }
 
-/// One division serves all components, except in E1 and E5. In SIMD lanes there is always a single
-/// division.
+/// A scalar step has a single division, except for the fields E1 and E5. A step in SIMD lanes
+/// always has a single division.
 #[test]
 fn divisions_are_as_few_as_possible() {
     for (name, text) in &FIELDS[..8] {
@@ -229,8 +229,8 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// Plans for floats divide the equations by ε if this shortens the dependence chain from step to
-/// step. For E1, E3 and E5, this step is exactly Kahan's map at a nearby ε.
+/// Plans for floats divide the equations by ε if this shortens the dependence chain. For the fields
+/// E1, E3 and E5, only 1/ε is rounded, so the step is Kahan's map at a nearby ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

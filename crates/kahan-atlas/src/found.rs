@@ -35,8 +35,7 @@ impl<'a> AtlasContent<'a> {
     #[must_use]
     pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
         let claims: Vec<&Claim> = paper.claims().iter().collect();
-        // Establishing the claims also measures the orbits; `measurement` then returns stored
-        // results.
+        // `measurement` below returns results that `establish` has stored.
         let established = paper.for_all(&claims, None, |claim| {
             let established = paper.establish(claim);
             each();

@@ -45,7 +45,7 @@ fn table(found: &AtlasContent<'_>, id: &str, caption: &str, prefix: &str) -> Mar
 fn entry(found: &AtlasContent<'_>, cell_of: [&str; 3]) -> Markup {
     let Some(checked) = found.claim(&Id::of(cell_of)) else { return html! { "not checked" } };
     let items = latex_of(&checked.claim.statement).unwrap_or_default();
-    // In a statement, the first item defines a solution, the last one gives an integral's value.
+    // The first item of a statement defines a solution. The last one is an integral's value.
     let formula = match items.first() {
         Some(LatexItem { sign: "\\coloneqq", right, .. }) if !INTEGRALS.contains(&cell_of[2]) => Some(right),
         _ => items.last().map(|item| &item.right),

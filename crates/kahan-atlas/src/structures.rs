@@ -28,8 +28,8 @@ fn rows(wanted: impl Fn(&StructureRow) -> bool) -> Vec<&'static StructureRow> {
     SYSTEMS.iter().filter_map(|entry| structure(entry.command)).filter(|row| wanted(row)).collect()
 }
 
-/// Writes the outcome of the first failed claim, with a link to it. Without a failed claim, takes
-/// the first one with a misprint, or else the first claim.
+/// Writes the outcome of one claim, with a link to it. A failed claim is preferred, then a claim
+/// with a misprint, then the first claim.
 fn verdict(found: &AtlasContent<'_>, names: &[[&str; 2]]) -> Markup {
     let claims: Vec<&CheckedClaim<'_>> = names.iter().flat_map(|parts| found.claims_of(parts)).collect();
     let failed = claims.iter().find(|checked| checked.established.outcome == Outcome::Failed);

@@ -1,4 +1,4 @@
-//! The section on systems: field, A(x,ε) and map from the catalog, and the claims of each.
+//! The section on systems. Each has its field, A(x,ε) and map from the catalog, and its claims.
 
 use maud::{Markup, html};
 

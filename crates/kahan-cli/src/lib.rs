@@ -76,7 +76,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // A misspelled name may raise the degree, so notes are also printed if the degree is refused.
+    // If the degree is refused, notes are printed, too: a misspelled name may have raised it.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));
@@ -104,7 +104,7 @@ fn grouped(command: &clap::Command) -> String {
     COMMAND_GROUPS.iter().map(group).collect()
 }
 
-/// Builds the parser of the command line. `--help` is short, and `kahan help COMMAND` complete.
+/// Builds the parser. `--help` prints a short text, and `kahan help COMMAND` a complete one.
 fn command() -> clap::Command {
     let cli = Cli::command();
     let groups = grouped(&cli);

@@ -96,7 +96,7 @@ fn proved_again(before: &str, claim: &str) -> Option<Proved> {
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // `discover` used other primes and points, because `read` seeds them with the text.
+        // This text differs from that in `discover`, so `read` uses other primes and points.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
 }

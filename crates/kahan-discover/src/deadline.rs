@@ -11,8 +11,8 @@ use crate::watch::{Finding, Progress, Watch};
 /// The least time between two calls of [`Watch::look`] within a stage.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
-/// A computation that a [`Watch`] observes. Each finding is reported once. A watch that has ended
-/// the computation is not called again.
+/// A computation that a [`Watch`] observes. Each finding is reported once. Once the watch has ended
+/// the computation, it is not called again.
 pub struct WatchedSearch<'a> {
     watch: &'a dyn Watch,
     stage: RefCell<String>,
@@ -36,8 +36,8 @@ impl<'a> WatchedSearch<'a> {
         }
     }
 
-    /// Reports progress to the watch. [`Watch::look`] is called at the start of a stage, then at
-    /// most a few times a second. If the watch has no clock, each report calls it.
+    /// Reports progress to the watch. Calls [`Watch::look`] at the start of a stage, and then a few
+    /// times a second. If the watch has no clock, every report calls [`Watch::look`].
     pub fn show(&self, progress: &Progress<'_>) {
         self.count.set((progress.done, progress.of));
         let begins = *self.stage.borrow() != progress.what;
@@ -81,8 +81,8 @@ impl<'a> WatchedSearch<'a> {
 
 /// A time limit that remembers whether it stopped a computation.
 ///
-/// Only a search that was not stopped may state that something does not exist. The deadline also
-/// passes when the watch ends the computation; without a clock, only then.
+/// Only a search that was not stopped may state that something does not exist. The deadline passes
+/// when time is up or the watch ends the computation. Without a clock, only the watch can.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a WatchedSearch<'a>>,

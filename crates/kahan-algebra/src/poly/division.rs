@@ -1,7 +1,7 @@
-//! Divides polynomials exactly, and finds common factors of their terms.
+//! Divides polynomials exactly, and finds factors that all terms of a polynomial share.
 //!
-//! Leading terms are divided out one after another. Degrees and lowest terms are compared first,
-//! which rules out most divisors.
+//! The divisor and the dividend are compared first: their degrees and lowest terms rule out most
+//! divisors. Long division then divides the leading terms one after another.
 
 use kahan_syntax::rational::Rational;
 
@@ -40,7 +40,7 @@ impl Polynomial {
         Ok(Some(Self::from_sorted(quotient)))
     }
 
-    /// Checks necessary conditions for divisibility in one pass.
+    /// Compares degrees and lowest terms. Returns `false` only if `divisor` cannot divide `self`.
     fn may_be_divisible_by(&self, divisor: &Self) -> bool {
         let (Some(low), Some(divisor_low)) = (self.terms.last(), divisor.terms.last()) else { return true };
         divisor_low.0.divides(&low.0)

@@ -85,8 +85,8 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBu
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Computes the gcd of a and b if it contains only variables in `bounds`: the gcd of all
-/// coefficients of a and b as polynomials in the other variables.
+/// Computes gcd(a, b), provided that it contains only variables in `bounds`. Then it is the gcd of
+/// the coefficients of a and b as polynomials in all other variables.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
@@ -98,8 +98,8 @@ fn gcd_of_coefficients(
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
 }
 
-/// Takes a and b as polynomials in the variable of least degree. Multiplies the gcd of their
-/// contents by the gcd of their primitive parts.
+/// Computes gcd(a, b) as the gcd of the contents times the gcd of the primitive parts. Here a and b
+/// are polynomials in the variable of least degree.
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,
@@ -124,9 +124,8 @@ fn gcd_in_main_variable(
 /// Computes the gcd of a and b, which must be primitive in `main`. The degree of the gcd is at most
 /// `bound`.
 ///
-/// The method is Algorithm C of Knuth, The Art of Computer Programming 4.6.1. The gcd divides every
-/// remainder up to a factor without `main`. If the primitive part of a remainder divides a and b,
-/// it is therefore the gcd.
+/// The method is Algorithm C of Knuth, The Art of Computer Programming 4.6.1. The gcd divides the
+/// primitive part of every remainder. If such a primitive part divides a and b, it is the gcd.
 fn subresultants(
     a: &Polynomial,
     b: &Polynomial,

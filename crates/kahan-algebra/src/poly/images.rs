@@ -1,4 +1,4 @@
-//! Bounds the degrees of a greatest common divisor by those of images modulo a prime.
+//! Bounds the degrees of a gcd of polynomials by the degrees of gcds of images modulo a prime.
 //!
 //! In an image, all variables except one are set to elements of F_p. The degree of the gcd in the
 //! variable v is at most that of the gcd of the images. An unlucky point makes the bound larger,
@@ -18,14 +18,14 @@ use crate::prime_field::{PrimeField, SplitMix64};
 
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
-/// Multiplying two terms takes as long as this many multiplications of residues. A [`Budget`] is
-/// charged at this rate.
+/// A [`Budget`] counts products of two polynomial terms. Such a product costs as much as this many
+/// multiplications in F_p.
 pub const RESIDUES_PER_TERM: u64 = 32;
 
 type Univariate = Vec<u64>;
 
-/// Returns upper bounds on the degrees of gcd(a, b) for primitive a and b. The cost is a few
-/// multiplications in F_p for each factor of each term, and a univariate gcd for each variable.
+/// Bounds the degree of gcd(a, b) in each variable, for primitive a and b. The cost is a few
+/// multiplications in F_p for each power in a term, and one univariate gcd for each variable.
 ///
 /// # Errors
 /// If the budget runs out.

@@ -1,5 +1,5 @@
-//! Lists of powers. Short lists need no allocation. In a macro built without optimisation,
-//! allocating each list took a tenth of the macro's time.
+//! Stores a monomial as a list of pairs (variable, exponent). Short lists need no allocation. In a
+//! macro built without optimisation, allocation took a tenth of the time.
 
 use super::Variable;
 

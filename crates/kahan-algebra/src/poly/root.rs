@@ -10,8 +10,8 @@ impl Polynomial {
     /// Returns the square root with positive leading coefficient. Returns `None` if the polynomial
     /// is not a square. The cost is at most that of multiplying the root by the polynomial.
     ///
-    /// The highest term of polynomial − r² determines the next term of the root r. Roots with more
-    /// terms than their square are not found. All known roots of this kind have at least 13 terms.
+    /// The highest term of polynomial − r² determines the next term of the root r. Also returns
+    /// `None` if r has more terms than its square. All known r of this kind have at least 13 terms.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
         let (monomial, coefficient) = (half_exponents(monomial)?, rational_root(coefficient)?);

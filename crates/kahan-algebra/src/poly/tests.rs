@@ -166,7 +166,7 @@ fn products_and_powers_keep_to_their_budget() {
     assert_eq!(sum.pow_within(4, &mut Budget::new(15, 10)), Err(OverBudget));
     assert_eq!(sum.mul_within(&sum, &mut Budget::new(5, 100)), Err(OverBudget));
     assert_eq!(sum.mul_within(&sum, &mut Budget::new(6, 9)), Ok(&sum * &sum));
-    // The budget refuses this power of 10^12 terms before any work.
+    // The 64th power of `many` has more than 10^12 terms. The budget refuses it before any work.
     let many = (0..12).fold(c(1), |sum, index| &sum + &v(index));
     assert_eq!(many.pow_within(64, &mut Budget::new(100_000, u64::MAX)), Err(OverBudget));
     let dense = &(&(&v(0) * &v(0)) + &v(0)) + &c(1);

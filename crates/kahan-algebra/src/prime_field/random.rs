@@ -1,4 +1,4 @@
-//! Reproducible random numbers, fast for samples and cryptographic for proofs.
+//! Reproducible random numbers: a fast generator for samples, and a cryptographic one for proofs.
 
 use keccak::Keccak;
 
@@ -25,8 +25,8 @@ pub trait Random {
 /// The hash function SHAKE256 (FIPS 202), whose digest serves as random numbers.
 ///
 /// A generator with a seed of 64 bits would not suffice: it has only 2⁶⁴ sequences of points, so
-/// error probabilities would be at least 2⁻⁶⁴. An author could also compute a text whose points
-/// satisfy a false claim. For SHAKE256, no method is known that is faster than trying many texts.
+/// error probabilities would be at least 2⁻⁶⁴. The points of a proof depend on the text of a block.
+/// With SHAKE256, only trying many texts can find a text whose points satisfy a false claim.
 ///
 /// The permutation of the state yields 17 numbers in about a microsecond. Unoptimised code takes
 /// tens of microseconds.

@@ -35,11 +35,11 @@ pub enum Verdict {
     Proved(Proof),
     /// The claim is false, as the counterexample shows.
     Refuted(Refutation),
-    /// The claim says nothing. Examples are an integral without states and a bracket that is zero.
+    /// The claim is trivially true, such as an integral without states or a zero bracket.
     Vacuous,
     /// The claim divides by zero at every point.
     Undefined,
-    /// The map does not exist, because det A is identically 0 under the conditions.
+    /// The map does not exist, because det(I − ε f′) is identically 0 under the claim's conditions.
     NoMap,
     /// A proof would take too many points.
     TooLarge,

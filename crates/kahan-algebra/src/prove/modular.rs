@@ -1,5 +1,5 @@
 //! Proves claims at random points modulo random primes and at one exact point. [`super::sizes`]
-//! bounds the error. If the claim is undefined at every exact point tried, the primes decide.
+//! bounds the error. A claim that is undefined at all exact points tried is proved by primes alone.
 
 use kahan_syntax::syntax::ClaimKind;
 
@@ -53,8 +53,8 @@ pub(super) fn decide(scheme: &FieldPlans, claim: &Claim, samples: &mut Samples<'
     }
 }
 
-/// Returns whether the claim holds at a small exact point. Returns `None` if no exact step is
-/// possible.
+/// Returns whether the claim holds at a point of small rational numbers. Returns `None` if no step
+/// from such a point is found.
 fn exact_check(scheme: &FieldPlans, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
     for index in 0..MOST_DRAWS {
         let sample = samples.exact(scheme, index)?;
@@ -62,8 +62,8 @@ fn exact_check(scheme: &FieldPlans, claim: &Claim, samples: &mut Samples<'_>) ->
             return Some(evidence.holds);
         }
     }
-    // `NoPoint` means that a divisor is zero at all small points. There is no counterexample then,
-    // and the proof modulo primes stands.
+    // The claim is undefined at all points above. Unless `refute` finds a counterexample, the proof
+    // modulo primes stands.
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 

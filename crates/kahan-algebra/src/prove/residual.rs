@@ -8,8 +8,8 @@
 //! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
 //! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
 //!
-//! Here Â is A with each row multiplied by the denominator of its equation. Since ∂x̃/∂x = Â(x,ε)⁻¹
-//! Â(x̃,−ε), the invariance is J P Jᵀ = P(x̃) with J = ∂x̃/∂x.
+//! Here A is I − ε f′, and Â is A with each row multiplied by the denominator of its equation.
+//! Since ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the invariance is J P Jᵀ = P(x̃) with J = ∂x̃/∂x.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
@@ -19,7 +19,7 @@ use crate::system::{Claim, upper_index};
 
 use super::sample::{Sample, run};
 
-/// Two values that must agree, and their identity.
+/// The two sides of an identity, which must be equal.
 pub(super) struct Sides<V> {
     pub(super) place: Identity,
     pub(super) left: V,
@@ -76,8 +76,8 @@ impl<A: OverRationals> SampledClaim<'_, A> {
         pairs.map(|(place, (left, right))| Sides { place, left, right }).collect()
     }
 
-    /// Returns the entries Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ, i < j, of M P Mᵀ. The list `upper` has
-    /// the entries of P above the diagonal.
+    /// Returns the entries of M P Mᵀ above the diagonal: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ for i < j.
+    /// The list `upper` has the entries of P above the diagonal.
     pub(super) fn congruence(&self, matrix: &[Vec<A::Value>], upper: &[A::Value]) -> Vec<A::Value> {
         let (arithmetic, n) = (self.arithmetic, self.n());
         let mut entries = Vec::new();

@@ -11,8 +11,8 @@ use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::symbols::Symbols;
 use crate::system::Condition;
 
-/// The plans for the numerators of the field and for the matrix A. Each row of A is multiplied by
-/// the denominator of its equation.
+/// Plans that evaluate the field's numerators and the matrix A = I − ε f′. Each row of A is
+/// multiplied by the denominator of its equation.
 pub(super) struct FieldPlans {
     pub(super) symbols: Symbols,
     pub(super) numerators: Plan,
@@ -33,8 +33,8 @@ impl FieldPlans {
     }
 }
 
-/// A point `here` with its image `there`, and the matrices of the steps from `here` with ε and from
-/// `there` with −ε.
+/// A point `here` and its image `there`. The step from `here` with ε has the matrix `matrix`, the
+/// step from `there` with −ε has `back_matrix`.
 pub(super) struct Sample<V> {
     pub(super) here: Vec<V>,
     pub(super) there: Vec<V>,
@@ -57,7 +57,7 @@ pub(super) fn rows<V: Clone>(entries: &[V], n: usize) -> Vec<Vec<V>> {
     entries.chunks(n).map(<[V]>::to_vec).collect()
 }
 
-/// Takes one step from the point `here`. Returns `None` at a pole or for an undefined constant.
+/// Takes one step from the point `here`. Returns `None` if the step is undefined.
 pub(super) fn take_step<A: OverRationals>(
     scheme: &FieldPlans,
     arithmetic: &A,
@@ -128,7 +128,7 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// Computes the values of the names in solved conditions. Returns `None` if a value is undefined.
+/// Stores in `here` the values given by conditions. Returns `None` if a value is undefined.
 pub(super) fn evaluate_conditions<A: OverRationals>(
     conditions: &[Condition],
     arithmetic: &A,

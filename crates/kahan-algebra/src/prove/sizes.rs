@@ -35,7 +35,7 @@ pub const ERROR_EXPONENT: u32 = 100;
 /// digits.
 pub(super) const HIGHEST_DEGREE: u64 = 1 << 20;
 
-/// Returns the number of points that prove a claim. Returns `None` if too many points are needed.
+/// Returns the number of points that prove a claim. Returns `None` if the claim is too large.
 pub(super) fn points_for(scheme: &FieldPlans, claim: &Claim) -> Option<u32> {
     let residuals =
         SampledClaim { claim, arithmetic: &SizeArithmetic, sample: &sample(scheme, claim)? }.pairs()?;
@@ -44,9 +44,9 @@ pub(super) fn points_for(scheme: &FieldPlans, claim: &Claim) -> Option<u32> {
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
-/// Returns how many points prove a claim whose residual has a numerator of this `degree`. The
-/// absolute values of its coefficients sum to at most 2 to the power `bits`. Returns `None` if the
-/// numbers are too large.
+/// Returns the number of points that prove F/G = 0 for polynomials F and G. The degree of F is
+/// `degree`. The absolute values of its coefficients sum to at most 2 to the power `bits`. Returns
+/// `None` if the numbers are too large.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
     let draws = const { MOST_DRAWS as u64 * MOST_DRAWS as u64 };
@@ -68,7 +68,7 @@ fn sample(scheme: &FieldPlans, claim: &Claim) -> Option<Sample<FractionSize>> {
     for (row, right) in extended.iter_mut().zip(&right) {
         row.push(*right);
     }
-    // This bounds the denominator and every numerator of the map: all are minors of `extended`.
+    // `minor` bounds all minors of `extended`: the denominator and the numerators of the map.
     let minor = SizeArithmetic.determinant(&extended);
     let increment =
         SizeArithmetic.multiply(&SizeArithmetic.add(&eps, &eps), &SizeArithmetic.divide(&minor, &minor)?);

@@ -3,7 +3,7 @@
 use super::{RationalFunction, divide, unlimited};
 use crate::poly::{Budget, Polynomial, WithinBudget, gcd_within};
 
-/// The nonzero entries of a row by ascending column.
+/// A sparse row of a matrix: pairs (column, nonzero entry) in ascending order of columns.
 pub(crate) type Row = Vec<(usize, RationalFunction)>;
 
 /// Reducing a fraction of long integers costs as much as this many products of these integers.

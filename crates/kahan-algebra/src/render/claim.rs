@@ -30,8 +30,8 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
     }
 }
 
-/// Returns the claim as formulas. Each pair contains the name of the claim or of a bracket's entry,
-/// and its value. A drift has a second pair for F(x̃).
+/// Returns pairs of a name and a formula: one for a claim, and one for each entry of a bracket. A
+/// drift F has a second pair for F(x̃).
 #[must_use]
 pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, String)> {
     match &claim.body {
@@ -54,7 +54,7 @@ pub fn condition_text(system: &System, claim: &Claim) -> String {
     condition_statement(system, claim, &Text)
 }
 
-/// Returns the relations behind `when`. A fixed value of a name is printed as `name = number`.
+/// Returns the relations after `when`. If one fixes a name to a number, prints `name = number`.
 #[must_use]
 pub fn condition_statement(system: &System, claim: &Claim, notation: &dyn Notation) -> String {
     let symbols = &system.field.symbols;

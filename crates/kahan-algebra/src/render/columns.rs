@@ -13,7 +13,7 @@ pub fn widths(rows: &[Vec<String>]) -> Vec<usize> {
 #[must_use]
 pub fn columns(row: &[String], widths: &[usize]) -> String {
     let cells = row.iter().zip(widths).map(|(cell, &width)| {
-        // A format string limits widths to 65 535 characters.
+        // Spaces are appended by hand, because a format string limits widths to 65 535.
         cell.clone() + &" ".repeat(width.saturating_sub(cell.chars().count()))
     });
     cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()

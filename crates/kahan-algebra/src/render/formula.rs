@@ -1,4 +1,4 @@
-//! Prints the objects of a system as formulas.
+//! Prints the formulas of a field, of its map, and of its matrices.
 
 use crate::field::Field;
 use crate::kahan::{RationalMap, TERM_BUDGET, bilinear_form, field_jacobian, scaled_matrix, scaled_rhs};
@@ -8,7 +8,7 @@ use kahan_syntax::rational::Rational;
 
 use super::notation::Notation;
 
-/// The objects of one field in one notation.
+/// A field and its map, with a notation for their formulas.
 #[derive(Clone, Copy, Debug)]
 pub struct Formulas<'a> {
     /// The field.
@@ -58,19 +58,19 @@ impl Formulas<'_> {
         self.matrix_over(&scaled_matrix(self.field))
     }
 
-    /// Returns the right-hand side b(x,ε).
+    /// Returns the right-hand side b(x,ε) of the equation A(x,ε) x̃ = b(x,ε).
     #[must_use]
     pub fn rhs(&self) -> Vec<String> {
         self.over_each(&scaled_rhs(self.field))
     }
 
-    /// Returns the bilinear form Q(x,y). The names of the second point have primes.
+    /// Returns the bilinear form Q(x,y). A name with a prime is a component of y.
     #[must_use]
     pub fn bilinear(&self) -> Vec<String> {
         self.over_each(&bilinear_form(self.field))
     }
 
-    /// Returns the reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d. Returns `None` if the budget is exceeded.
+    /// Returns the components of the map in lowest terms. Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn map(&self) -> Option<Vec<String>> {
         let map = self.map?;
@@ -116,7 +116,7 @@ impl Formulas<'_> {
         })
     }
 
-    /// Returns the nonconstant factor that was divided out of the map.
+    /// Returns the common factor that was divided out of the map, unless it is constant.
     #[must_use]
     pub fn removed_factor(&self) -> Option<String> {
         let map = self.map?;

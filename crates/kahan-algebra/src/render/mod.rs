@@ -1,4 +1,4 @@
-//! Prints formulas and mistakes for readers, as plain text and as source lines with a caret.
+//! Prints formulas as plain text, and mistakes as source lines with a caret.
 
 mod block;
 mod claim;

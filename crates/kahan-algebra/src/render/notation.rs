@@ -99,7 +99,7 @@ pub trait Notation: fmt::Debug {
         }
     }
 
-    /// Writes the name of a variable. In a bilinear form Q(x, x'), the states of x' get a prime.
+    /// Writes the name of a variable. In a bilinear form Q(x,y), the components of y get a prime.
     fn variable(&self, symbols: &Symbols, variable: Variable) -> String {
         match symbols.symbol(variable) {
             Symbol::SecondState(i) => format!("{}'", self.name(&symbols.states[i])),

@@ -55,7 +55,7 @@ fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {
     if length <= width {
         return (line.to_owned(), column);
     }
-    // Two columns are kept for ellipses. A third of the text stands before the mistake.
+    // Two columns are reserved for ellipses, and a third of the others for text before the mistake.
     let kept = width.saturating_sub(2);
     let start = column.saturating_sub(kept / 3).min(length - kept);
     let cut: String = line.chars().skip(start).take(kept).collect();

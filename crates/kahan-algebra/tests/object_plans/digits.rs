@@ -1,8 +1,8 @@
-//! Compares the rounding errors of plans with those of direct evaluation of the text.
+//! Compares the rounding errors of plans with those of the formulas in the text.
 //!
-//! Each object is computed from the text in 24 runs with random rounding up or down. Let E be the
-//! largest error of these runs, but at least half an ulp. The error of a plan must be at most 8 E
-//! at each point, and at most 2 E in the median over a field's points. Errors of a step are
+//! The formulas are evaluated in 24 runs, which round each operation up or down at random. Let E be
+//! the largest error of these runs, but at least half an ulp. The error of a plan must be at most 8
+//! E at each point, and at most 2 E in the median over a field's points. Errors of a step are
 //! relative to the largest component.
 
 use std::cell::RefCell;
@@ -195,8 +195,8 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }
 
-/// Returns the error of a planned computation, divided by that of the written formula. Returns
-/// `None` if the written formula keeps fewer than three digits.
+/// Returns the error of a planned computation, divided by the largest error in `runs`. Returns
+/// `None` if the runs keep fewer than three digits.
 fn lost(ours: Option<&[f64]>, runs: &[&[f64]], exact: &[Double], by_entry: bool) -> Option<f64> {
     let runs: Vec<Vec<f64>> = runs.iter().map(|run| errors(run, exact)).collect();
     let sizes: Vec<f64> = exact.iter().map(|(high, _)| high.abs()).collect();
@@ -316,7 +316,7 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
 
 struct Draw {
     random: SplitMix64,
-    /// The typical sizes from which differences of nearly equal parameters are drawn.
+    /// The typical sizes of differences between nearly equal parameters.
     nearness: &'static [f64],
 }
 
@@ -443,7 +443,7 @@ const EXAMPLES: [Example; 5] = [
         text: "xdot = p*(x - 1)*(y - 1); ydot = x - y;",
         parameters: |draw| vec![("p", 1e9 * draw.between(0.5, 1.0))],
     },
-    // The product (q − s)(p − q) is below half an ulp of the terms of its expansion.
+    // Here (q − s)(p − q) is smaller than the rounding error of its expansion.
     Example {
         name: "two-small-differences",
         text: "xdot = 0.1*x - x*y/(q - s) + x/(p - q); ydot = x - y;",

@@ -1,5 +1,5 @@
-//! Compares the plans of all objects over ℚ with the defining formulas. A printed step is also
-//! parsed and evaluated.
+//! Evaluates the plans of all objects in exact arithmetic, and compares the results with the
+//! defining formulas. A printed step is also parsed and evaluated.
 
 mod digits;
 mod written;
@@ -56,14 +56,14 @@ fn places(system: &System) -> [Place; 2] {
     })
 }
 
-/// A test point with a second point for bilinear objects.
+/// A test point x, and a second point y for the bilinear form Q(x,y).
 struct Place {
     point: Point<Rational>,
     second: Vec<Rational>,
 }
 
 impl Place {
-    /// Returns the outputs of a plan for these prepared constants.
+    /// Returns the outputs of a plan. The values of its precomputed constants are `prepared`.
     fn run(&self, plan: &Plan, symbols: &Symbols, prepared: &[Rational]) -> Vec<Option<Rational>> {
         let prepared: Vec<Option<Rational>> = prepared.iter().cloned().map(Some).collect();
         let value = |variable| {
@@ -237,7 +237,7 @@ impl Definitions<'_> {
             "step" | "general step" => next,
             "det A" => vec![determinant],
             "(N, D)" => over(determinant),
-            // The denominator is unique only up to a factor, so that of the reduced map is used.
+            // N and D are unique only up to a common factor, so D is taken from the reduced map.
             "(N, D) reduced" => {
                 let map = derived.map.as_ref().expect("there is a reduced map");
                 over(self.place.polynomial(&map.reduced.denominator))

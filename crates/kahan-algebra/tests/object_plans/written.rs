@@ -15,7 +15,7 @@ pub(crate) struct Written {
 }
 
 impl Written {
-    /// Parses a text. The other methods take points, whose values have the order of `symbols`.
+    /// Parses a text. The coordinates of points in the other methods have the order of `symbols`.
     pub(crate) fn new(text: &str, symbols: &Symbols) -> Self {
         let mut diagnostics = Diagnostics::default();
         let block = parse(&lex(text).tokens, &mut diagnostics);

@@ -14,7 +14,7 @@ fn drawing(description: &str, axes: [&str; 2], series: Vec<Series>) -> Markup {
     Plot::around(description, axes, series).drawing().inline()
 }
 
-/// Plots log h against log n for heights h after n steps. If h grows like nᵏ, the slope is k.
+/// Plots log h against log n for heights h after n steps. Growth like nᵏ gives the slope k.
 fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
     drawing(description, ["log n", &format!("log h({of})")], series)
 }
@@ -23,7 +23,7 @@ fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
     log_log(description, "xₙ", vec![Series::new("", colour, mark, x.log_log())])
 }
 
-/// Plots log(hₙ/nᵏ) for logarithmic heights hₙ of x, and a line at log `value` labelled `shown`.
+/// Plots log(hₙ/nᵏ) for the heights hₙ in `x`, and a line at log `value` with the label `shown`.
 fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
     let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
     let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));

@@ -15,7 +15,7 @@ pub(super) struct Orbit<'a> {
     pub(super) measured: &'a Measurement,
 }
 
-/// The logarithmic heights h₀, h₁, … of one variable along an orbit.
+/// The logarithmic heights log max(|p|, |q|) of the values p/q of one variable along an orbit.
 pub(super) struct Heights(pub(super) Vec<f64>);
 
 impl Heights {
@@ -47,8 +47,8 @@ impl Heights {
         slope(self.pairs())
     }
 
-    /// Fits a parabola in n to the first, middle and last height of the orbit's second half, and
-    /// returns its coefficient of n².
+    /// Returns the coefficient of n² in a parabola. It passes through the first, middle and last
+    /// height of the orbit's second half.
     pub(super) fn half_second_difference(&self) -> f64 {
         let step = self.last().0 / 4;
         let (end, middle, start) = (self.last().0, self.last().0 - step, self.last().0 - 2 * step);

@@ -68,7 +68,7 @@ impl IndexFile {
         }
         fs::create_dir_all(folder).map_err(|error| refused(&error.to_string()))?;
         let path = folder.join("index.html");
-        // Fails if the file cannot be opened. Dropping the stream removes its temporary file.
+        // Opening the file now reports errors early. Dropping it removes its temporary file.
         drop(OutputStream::file(&path, "--out")?);
         Ok(IndexFile { path, since })
     }
@@ -80,7 +80,7 @@ impl IndexFile {
         PageCreation { date, seconds: self.since.elapsed().as_secs_f64() }
     }
 
-    /// Writes the page. Returns the path, `holds`, and the size in MB with `decimals` digits.
+    /// Writes the page. The answer has the path, the contents `holds`, and the size in MB.
     pub(super) fn put(self, text: &str, holds: &str, decimals: usize) -> Result<Answer, UsageError> {
         OutputStream::file(&self.path, "--out")?.put(text)?;
         let (path, size) = (self.path.display(), text.len() as f64 / 1e6);

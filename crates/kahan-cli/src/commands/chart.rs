@@ -121,7 +121,7 @@ const OF_ORBITS: [&str; 13] = [
     "fused",
 ];
 
-/// Parses the name of an observable that is one number, or of a column such as `rotation_x`.
+/// Parses an observable with a single number, or a column such as `rotation_x`.
 #[derive(Clone, Copy)]
 struct Colours;
 
@@ -134,7 +134,6 @@ impl TypedValueParser for Colours {
         arg: Option<&Arg>,
         value: &OsStr,
     ) -> Result<ColourColumn, clap::Error> {
-        // If the name is unknown, clap's own parser refuses it.
         let refused = |()| {
             observable_parser()
                 .parse_ref(cmd, arg, value)
@@ -173,7 +172,7 @@ impl QuestionCommand for Chart {
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
-        // In a chart the first range varies fastest, in the question `Over` the last axis.
+        // The first range of a chart varies fastest, but in `Over` the last axis does.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))
     }

@@ -67,7 +67,7 @@ fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
     }
 }
 
-/// Explains that a point with det A = 0 counts as a pole, because the map is too large to reduce.
+/// Returns the note for det A = 0 in a map that is too large to reduce: this counts as a pole.
 pub(super) fn unreduced_note(name: &str, place: &str) -> String {
     format!(
         "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of {TERM_BUDGET} \

@@ -136,7 +136,7 @@ fn complaint(found: &HeightsFound) -> Option<String> {
     })
 }
 
-/// Chooses the rows to print: all rows of a short table, ever sparser rows of a long one.
+/// Chooses the rows to print. In a long table, the gaps between them grow.
 fn shown_rows(count: usize) -> Vec<usize> {
     const ALL: usize = 26;
     if count <= ALL {

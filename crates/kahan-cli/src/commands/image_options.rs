@@ -54,7 +54,7 @@ impl ImageOptions {
         line.with_changed_options::<Self>(&said)
     }
 
-    /// Returns the canvas. Its default size is that of `usual`, or a text column with --paper.
+    /// Returns the canvas. By default it is as large as `usual`, or with --paper as a text column.
     pub(super) fn sheet(&self, mut usual: Canvas) -> Canvas {
         let theme = if self.paper { Theme::Paper } else { self.theme };
         match self.size {

@@ -131,7 +131,7 @@ pub(crate) struct Orbit {
     json: bool,
 }
 
-/// The largest number of steps, which a table stores as an `i64`.
+/// The largest number of steps. Tables store step numbers as `i64`.
 const MAX_STEPS: u64 = i64::MAX as u64;
 
 impl QuestionCommand for Orbit {
@@ -209,7 +209,7 @@ impl Orbit {
         let paces = paces.expect("--every is 1 or more");
         let head = chain.head(paces);
         self.write(json!(head), &[], [(Vec::new(), &mut chain)].into_iter(), |chain, table, watch| {
-            // The file must be complete, even if the reader of the table has closed the pipe.
+            // The array must be complete, even if the reader of the table closes the pipe.
             table.continue_without_reader(array.is_some());
             let mut written = Ok(());
             let see = &mut |state: &[f64]| {

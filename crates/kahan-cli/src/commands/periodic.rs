@@ -196,7 +196,7 @@ fn text(found: &CycleFound) -> String {
     paragraphs(groups.filter(|lines| !lines.is_empty()))
 }
 
-/// Formats a number with the digits that are certain by its error and one more, then the error.
+/// Formats a number with its certain digits and one more, followed by its error.
 fn with_error(found: &Extrapolated) -> String {
     let digits = (1.0 - libm::log10(found.error).floor()).clamp(1.0, 15.0);
     format!("{:.*} ± {:.0e}", digits as usize, found.value, found.error)

@@ -183,7 +183,7 @@ fn complaint(study: &Study, orbits: &[Crossed]) -> Option<String> {
     })
 }
 
-/// A table that is opened when its first rows arrive, so that a refusal leaves no output.
+/// A table that is opened when its first rows arrive. An error before then leaves no output.
 struct DeferredTable {
     table: Option<Table>,
     begin: Option<(OutputStream, Map<String, Value>)>,

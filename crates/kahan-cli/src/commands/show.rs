@@ -74,7 +74,7 @@ impl QuestionCommand for Show {
             Show { latex: true, .. } => ShowForm::Latex,
             Show { sympy: true, .. } => ShowForm::Sympy,
             Show { plan: true, .. } => ShowForm::Plan,
-            // With --json, the answer contains the block in any case.
+            // With --json, the answer contains the block anyway, so --macro changes nothing.
             Show { as_macro: true, json: false, .. } => ShowForm::Kahan,
             _ => ShowForm::Text,
         };

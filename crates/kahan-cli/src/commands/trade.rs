@@ -172,7 +172,7 @@ impl Trade {
     }
 }
 
-/// In a run of more steps, a rounded ε causes a visible linear drift.
+/// From this number of steps on, a rounded ε causes a visible linear drift.
 const LONG_RUN: u64 = 100_000;
 
 fn size(value: f64) -> String {

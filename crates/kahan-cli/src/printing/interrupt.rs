@@ -18,7 +18,7 @@ pub(super) fn unfinished(
     make: impl FnOnce() -> io::Result<NamedTempFile>,
 ) -> io::Result<(NamedTempFile, UnfinishedFile)> {
     listen()?;
-    // While the lock is held, a signal waits. It then finds the new file in the list.
+    // The handler of signals waits for this lock, so it finds the new file in the list.
     let mut list = UNFINISHED_FILES.lock().unwrap_or_else(PoisonError::into_inner);
     let file = make()?;
     list.push(file.path().to_path_buf());
@@ -47,7 +47,7 @@ fn listen() -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM])?;
     std::thread::Builder::new().name("signals".to_owned()).spawn(move || {
         if let Some(signal) = signals.forever().next() {
-            // The lock is held until the process ends, so that no new file is made.
+            // The lock is never released, so no new file is made before the process ends.
             let list = UNFINISHED_FILES.lock().unwrap_or_else(PoisonError::into_inner);
             for path in list.iter() {
                 // A finished file may have been renamed in the meantime, so errors are ignored.

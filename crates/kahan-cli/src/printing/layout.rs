@@ -99,7 +99,7 @@ pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> Strin
 /// Cells wider than this are regarded as sentences, which may be broken into lines.
 const SENTENCE_WIDTH: usize = 24;
 
-/// Returns the width of each column if its heading is broken after every word.
+/// Returns the width that each column needs if its heading is broken after every word.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let heading = heading.iter().enumerate();
@@ -219,7 +219,6 @@ pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char, width: usize
                 .clone()
                 .filter_map(|column| {
                     let cell = row.get(column)?;
-                    // Entries that are wider than the screen are not aligned.
                     let gap = if widths[column] > room { 0 } else { widths[column] - length(cell) };
                     Some(" ".repeat(gap) + cell)
                 })

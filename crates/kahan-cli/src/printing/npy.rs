@@ -25,7 +25,7 @@ impl Npy {
     }
 }
 
-/// Returns the header of an array, which has 128 bytes for any number of rows.
+/// Returns a header of 128 bytes, so that the number of rows can be replaced at the end.
 fn header(rows: u64, row: &[usize]) -> Vec<u8> {
     let sizes: String = row.iter().map(|size| format!(", {size}")).collect();
     let dictionary = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}{sizes}), }}");

@@ -14,7 +14,7 @@ use super::layout::terminal_width;
 #[derive(Debug)]
 pub(crate) struct Answer {
     pub(crate) text: String,
-    /// Whether a terminal may break lines at spaces.
+    /// Whether long lines are broken at spaces on a terminal.
     pub(crate) breaks: bool,
     /// A message for standard error about a failed check or a pole.
     pub(crate) complaint: Option<String>,
@@ -31,12 +31,12 @@ impl Answer {
         Answer { text, breaks: true, complaint: None, status: 0 }
     }
 
-    /// Returns an empty answer with the exit status of another program, which printed the answer.
+    /// Returns an empty answer with this exit status, after a program has printed its answer.
     pub(crate) fn silent(status: u8) -> Self {
         Answer { status, ..Answer::verbatim(String::new()) }
     }
 
-    /// Returns a text whose line breaks matter.
+    /// Returns an answer whose line breaks must be kept.
     pub(crate) fn verbatim(text: String) -> Self {
         Answer { breaks: false, ..Answer::text(text) }
     }

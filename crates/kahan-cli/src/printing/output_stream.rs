@@ -37,7 +37,7 @@ impl From<WriteError> for UsageError {
     }
 }
 
-/// A write also flushes the output if the last flush was this long ago.
+/// A write also flushes the output if this time has passed since the last flush.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(100);
 
 impl OutputStream {
@@ -72,7 +72,7 @@ impl OutputStream {
         Ok(OutputStream(Destination::File { writer: BufWriter::new(file), path, unfinished }))
     }
 
-    /// Opens a file for a table. Its name must end in `.csv` or have no extension.
+    /// Opens a file for a table. Refuses names with an extension other than `.csv`.
     pub(crate) fn table(path: &Path) -> Result<Self, UsageError> {
         if path.extension().is_none() || is_table(path) {
             return Self::file(path, "--out");

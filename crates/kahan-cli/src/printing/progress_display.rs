@@ -29,7 +29,8 @@ impl ProgressDisplay {
         Self::showing(true, || bar(steps, what))
     }
 
-    /// Makes a bar that counts steps of orbits. It is hidden if the rows go to a terminal.
+    /// Makes a bar that counts steps of orbits. It is hidden if rows are printed on a terminal,
+    /// where it would disturb them.
     pub(crate) fn beside_rows(in_file: bool, steps: u64) -> Self {
         Self::showing(in_file || !stdout().is_terminal(), || bar(steps, "steps"))
     }
@@ -49,7 +50,7 @@ impl ProgressDisplay {
     }
 
     pub(crate) fn within(self, seconds: f64) -> Self {
-        // Limits above 3·10⁹ seconds are cut, so that `end` can be represented as a time.
+        // A time limit is at most 3·10⁹ seconds, so that `end` can be represented.
         let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
         ProgressDisplay { end: Some(self.since + allowed), ..self }
     }

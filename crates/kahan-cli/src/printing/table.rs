@@ -30,7 +30,7 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Writes the metadata of a table, with the names of the columns as `columns`.
+    /// Writes the head of a table. The names of the columns are the member `columns` of `head`.
     pub(crate) fn begin(
         sink: OutputStream,
         format: Format,

@@ -18,7 +18,7 @@ use super::rust_file::{RustBlock, blocks};
 use crate::printing::{UsageError, joined};
 
 thread_local! {
-    /// The last block that was read. A command asks twice for its field, which is read only once.
+    /// The last block that was read. A command needs its block twice, but reads it only once.
     static LAST_BLOCK: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
@@ -75,12 +75,12 @@ impl Block {
         Subject::block(self.text.clone())
     }
 
-    /// Returns the parameters that the text does not declare. Programs in Rust declare all.
+    /// Returns the parameters that the text does not declare. A Rust file has none of these.
     pub(super) fn undeclared(&self) -> Vec<String> {
         if self.is_rust { Vec::new() } else { self.text.undeclared() }
     }
 
-    /// Returns the family of the block. Refuses `option` if the block is a plain system.
+    /// Returns the block as a family, written `for i in …`. Refuses `option` for a single system.
     pub(crate) fn family(&self, option: &str) -> Result<Family, UsageError> {
         self.text.family().map_err(|mistakes| UsageError::reports(mistakes.to_string()))?.ok_or_else(|| {
             UsageError::new(format!(
@@ -93,7 +93,7 @@ impl Block {
         self.text.given()
     }
 
-    /// Returns the text with initial values in two notations: the user's, and that of `kahan!`.
+    /// Returns two texts with initial values: in the user's notation, and in that of `kahan!`.
     pub(crate) fn with_start(&self, states: &[String], start: &[Rational]) -> [String; 2] {
         let values = self.text.parameters().iter().map(|(name, value)| format!("{name} = {value}; "));
         let first = states.iter().zip(start).map(|(state, value)| format!("{state}(0) = {value};"));
@@ -102,7 +102,7 @@ impl Block {
         [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
     }
 
-    /// Returns notes on how the text was read, and on values in the text for names not in `given`.
+    /// Returns notes on how the text was read, and on values that `given` does not replace.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let is_noted = |name: &str| {
             let named = format!("`{name}` with the value");
@@ -122,7 +122,7 @@ impl Block {
         self.text.notes().iter().cloned().chain(values).collect()
     }
 
-    /// Returns the product of states that a name may mean, such as `x*y` for `xy`.
+    /// If a name is several states written together, returns their product, such as `x*y` for `xy`.
     pub(super) fn product(&self, name: &str) -> Option<String> {
         let system = self.text.unproved_system().ok()?;
         let letters: Vec<String> = name.chars().map(String::from).collect();
@@ -156,7 +156,7 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), UsageError> {
     }))
 }
 
-/// Returns the range of the field in a text: all, or the call of `kahan!` that `wanted` selects.
+/// Returns the byte range of the whole text, or of the call of `kahan!` that `wanted` selects.
 pub(super) fn select_block(
     text: &str,
     origin: &str,

@@ -118,7 +118,7 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Usag
         let rows = values.chunks_exact(names.len());
         values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
-    // A single array may be a vector or a column. Of several states in a file, the last is used.
+    // A single array may be a vector or a column. A file of several states gives the last.
     let mut state = vec![sites, arrays.len()];
     let mut found = &sizes[..];
     if arrays.len() == 1 {

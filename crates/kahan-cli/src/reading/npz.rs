@@ -15,10 +15,10 @@ use crate::printing::joined;
 /// The files of an archive by name, without `.npy`.
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// The indices of the states that a coefficient multiplies: none for c, one for B, two for Q.
+/// The states that a coefficient multiplies: `[None; 2]` in c, `[Some(j), None]` in B, two in Q.
 type States = [Option<usize>; 2];
 
-/// An array with its entries as (row, column, value). Each row is a component of the field.
+/// An array with its `entries` (row, column, value). A row belongs to a component of the field.
 struct ArrayPart {
     name: &'static str,
     sizes: Vec<usize>,
@@ -104,7 +104,7 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
     format!("has names that variables cannot have: {}", joined(said, "; "))
 }
 
-/// Takes the array `name` out of `files`: one file of a dense array, three of a sparse one.
+/// Reads the array `name`, and removes its one file (dense) or three files (sparse) from `files`.
 fn part(files: &mut Files, name: &'static str) -> Result<Option<ArrayPart>, String> {
     let mut numbers = |name: &str| {
         let read = |file: Vec<u8>| {

@@ -28,7 +28,7 @@ pub(crate) fn not_started(error: &io::Error) -> UsageError {
     })
 }
 
-/// Reads columns by name. A folder stands for the sweep result in it. Errors name the option.
+/// Reads columns by name from a file, or from the sweep result in a folder. Errors name `option`.
 pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<Vec<f64>>, UsageError> {
     let merged = path.join("results.parquet");
     if path.is_dir() && !merged.exists() {

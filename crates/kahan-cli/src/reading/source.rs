@@ -195,7 +195,7 @@ impl Source {
         self.system.iter().cloned().chain(options).collect()
     }
 
-    /// Removes --all, and returns whether it was given. `kahan verify` has its own use for --all.
+    /// Clears `all`, and returns whether it was set. In `kahan verify`, --all has another meaning.
     pub(crate) fn without_all(mut self) -> (Self, bool) {
         let all = std::mem::take(&mut self.all);
         (self, all)
@@ -206,8 +206,8 @@ impl Source {
         self
     }
 
-    /// Returns the lift of --lift. An automatic choice depends on the initial point `start` and on
-    /// `near`, the middle values of parameters with a range.
+    /// Returns the lift that --lift selects. An automatic choice depends on the initial point
+    /// `start`. It gives parameters with a range the values in `near`, the middles of the ranges.
     pub(super) fn lifting(
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,
@@ -238,7 +238,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses the command if a quantity on `axes` also has a fixed value, which for ε is `step`.
+    /// Refuses the command if a quantity on `axes` has a fixed value, too. That of ε is in `step`.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), UsageError> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =
@@ -288,7 +288,7 @@ impl Source {
         self.file.as_deref().is_some_and(|path| path == Path::new("-"))
     }
 
-    /// Returns notes on how a text was read, and on undeclared names without a value or range.
+    /// Returns notes on how the text was read, and on undeclared names with no value and no range.
     pub(crate) fn notes(&self, ranges: &[String]) -> Vec<String> {
         let block = if self.is_input() { None } else { self.block().ok().flatten() };
         block.map_or_else(Vec::new, |block| self.notes_on(&block, ranges))

@@ -36,7 +36,7 @@ impl Source {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
-    /// Returns the field for display. Without `at`, [`Study::shown_orbit`] decides between lifts.
+    /// Returns the field for display. Without `at`, a lift is chosen along [`Study::shown_orbit`].
     pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }
@@ -75,7 +75,7 @@ impl Start {
         Ok((study, starts, self.step.half()?.ok_or(StudyError::MissingStep)?))
     }
 
-    /// Returns the field, the initial point, and ε. Fails if an option sets what `axes` vary.
+    /// Returns the field, its initial point, and ε. Fails if an option fixes a quantity on `axes`.
     pub(crate) fn study_over(
         &self,
         axes: &[Axis],

@@ -38,7 +38,7 @@ pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())
 }
 
-/// Returns a parser of the names of the items `known`. `value` returns a name with its help.
+/// Returns a parser that accepts the names of `known` items. `value` gives their names and help.
 pub(crate) fn one_of<T: Copy + Send + Sync + 'static>(
     known: impl IntoIterator<Item = &'static T>,
     value: fn(T) -> PossibleValue,

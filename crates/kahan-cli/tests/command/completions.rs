@@ -21,7 +21,6 @@ fn every_shell_gets_the_commands_the_options_and_the_systems() {
     assert!(refusal(&["completions", "csh"]).contains("bash"));
 }
 
-/// Does nothing if Bash is not installed.
 #[test]
 fn bash_completes_systems_and_options() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -146,7 +146,7 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
         let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);
-        // Coefficients of a relation between monomials on an orbit are integrals without a formula.
+        // Integrals without a formula are given as coefficients of relations between monomials.
         let by_bases =
             found["bases"].as_array().into_iter().flatten().map(|basis| texts(&basis["integrals"]).len());
         let integrals = texts(&found["integrals"]);
@@ -241,7 +241,7 @@ fn the_lagrange_top_has_four() {
     reading(find("lagrange").expect("in the catalog").text(), &texts(&found["integrals"]));
 }
 
-/// With all products expanded, the integrals and densities have 10 546 characters in total.
+/// Findings must stay factored. Expanded, all integrals and densities have 10 546 characters.
 #[test]
 #[ignore = "the whole catalog: seconds in a release build, minutes in another"]
 fn the_catalog_is_written_in_six_tenths_of_the_characters() {

@@ -24,7 +24,7 @@ fn a_circle_is_known_in_closed_form() {
     let turns = &found["rotation"]["x"];
     assert!((number(&turns["value"]) + 0.05_f64.atan() / PI).abs() < 1e-13, "{turns}");
     assert!(number(&turns["error"]) < 1e-9);
-    // The map preserves lengths up to rounding, here over 500 units of time.
+    // The map preserves lengths, so all exponents vanish up to rounding.
     for exponent in found["spectrum"].as_array().expect("a list").iter().chain([&found["lyapunov"]]) {
         assert!(number(exponent).abs() < 1e-13);
     }
@@ -41,7 +41,7 @@ fn linear_fields_have_the_exponents_of_their_multipliers() {
         object(&["dynamics", "--field", field, "--eps", "0.1", "--at", "1,1", "--steps", "4000", "--json"]);
     let exact = |rate: f64| ((1.0 + eps * rate) / (1.0 - eps * rate)).ln() / (2.0 * eps);
     let [first, second] = [0, 1].map(|k| number(&found["spectrum"][k]));
-    // The choice of the initial tangent vectors changes the exponents by O(1/t).
+    // The initial tangent vectors change each exponent after the time t by O(1/t).
     assert!((first - exact(fast)).abs() < 2e-3 && (second - exact(slow)).abs() < 2e-3, "{first} {second}");
     let sum = exact(fast) + exact(slow);
     assert!((number(&found["mean_log_det"]) - sum).abs() < 1e-12 && (first + second - sum).abs() < 1e-12);
@@ -172,7 +172,7 @@ fn sections_are_where_the_formula_vanishes() {
     }
     let times = found["times"].as_array().expect("a list");
     let period = number(&times[2]) - number(&times[0]);
-    // A full turn takes π/atan(ε) steps; a fraction θ of a step rotates by 2 atan(θε).
+    // A full turn takes π/atan(ε) steps of the time 2ε, with ε = 0.05.
     assert!((period - 0.1 * PI / 0.05_f64.atan()).abs() < 1e-4, "{period}");
     let few =
         answer(&["section", "e6", "--eps", "0.05", "--at", "1,2,3", "--plane", "H - 3", "--steps", "9"]);
@@ -316,7 +316,7 @@ fn charts_show_what_each_orbit_does() {
     let escapes =
         cells(&chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
     assert!(escapes.iter().all(|[r, _, step]| step.is_some() == r.is_some_and(|r| r > 0.0)), "{escapes:?}");
-    // The cell of an orbit that escapes is empty, and the legend counts these cells.
+    // The cells of escaped orbits are empty, and the legend counts them.
     let bound = |out: &str| {
         chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "lyapunov", "--escape", "1e3"], &file(out))
     };
@@ -326,7 +326,7 @@ fn charts_show_what_each_orbit_does() {
         assert_eq!((exponent.is_none(), line.contains(",escaped,")), (escapes, escapes), "{line}");
     }
     assert!(bound("b.svg").contains("4 cells empty: 4 escaped"));
-    // A step passes a pole if 1 − t²r vanishes for some t between 0 and ε = 1/10, so if r > 100.
+    // For r > 100, 1 − t²r vanishes for some t between 0 and ε = 1/10, so each step passes a pole.
     let poles = cells(&chart(&["r=0:200:/4", "x=1:2:/2"], &["--color", "passed_poles"], &file("s.csv")));
     let count = |r: &Option<f64>| Some(if *r > Some(100.0) { 100.0 } else { 0.0 });
     assert!(poles.iter().all(|[r, _, found]| *found == count(r)), "{poles:?}");
@@ -424,7 +424,7 @@ fn charts_show_the_rows_of_a_file() {
         of(&["--over", "y", "--where", "p=1", "--where", "order=2"]),
         "y,log_sali\n0.1,0.0\n0.2,-4.0\n0.3,-2.0\n"
     );
-    // The chart of the table is the same drawing as the original chart.
+    // A chart that is drawn from the table equals the original chart.
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     let (table, picture, again) = (file("lv.csv"), file("lv.svg"), file("again.svg"));

@@ -72,7 +72,7 @@ fn an_older_file_stays_as_it_was() {
 /// A field for which `discover` and `poles` take long.
 const HARD: &str = "xdot = y*z + x*w; ydot = x*z - w^2; zdot = x*y + w*y; wdot = x^2 - y*z + z^2;";
 
-/// Returns commands that take minutes or more, one for each kind of long work.
+/// Returns commands that take minutes or more.
 fn long_calls(folder: &Path) -> Vec<Vec<String>> {
     const LINES: [&str; 24] = [
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14",

@@ -11,8 +11,8 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
     let cells = object["cells"].as_array().expect("a list");
-    // In each of seven regimes, seven pairs of a step method (`tier`) and a number type are tested.
-    // For large steps, the method `lu` is tested in three number types, too.
+    // Each of seven regimes has seven pairs (`tier`, number type). Large steps have three further
+    // cells for `lu`.
     assert_eq!(cells.len(), 7 * 7 + 3);
     let of_lu = |cell: &&Value| cell["tier"] == "lu";
     assert!(cells.iter().filter(of_lu).all(|cell| cell["regime"] == "large steps"));
@@ -84,7 +84,7 @@ fn every_field_of_odd_temper_is_judged() {
 }
 
 /// For h = ±1 the leading terms of det A cancel, where A is the matrix of a step. `try_step` once
-/// refused two of these steps without justification.
+/// refused such steps without justification.
 #[test]
 fn a_field_whose_leading_terms_cancel_is_not_flagged() {
     let field = "xdot = h*y - x + y*z; ydot = h*x - y - x*z; zdot = -z + x*y;";

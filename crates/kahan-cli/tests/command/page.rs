@@ -57,7 +57,7 @@ fn every_command_on_a_page_makes_what_stands_above_it() {
         let is_short = line.starts_with("kahan trade") && said.contains("more --seconds");
         assert!(output.status.code() == Some(0) || is_short, "{line}: {said}");
     }
-    // Only these figures are compared, because heights depend on the available time.
+    // Figures that depend on the available time, such as heights, are not compared.
     for id in ["portrait", "time", "section", "chart"] {
         let file = fs::read_to_string(folder.path().join(format!("{id}.svg"))).expect("the file");
         assert!(file.contains(drawing(&page, id)), "{id}");
@@ -107,7 +107,7 @@ fn caption<'a>(page: &'a str, id: &str) -> &'a str {
 #[test]
 fn what_is_found_is_followed_and_a_section_says_what_is_seen() {
     let folder = tempfile::tempdir().expect("a folder");
-    // Both fields have three variables and two unclaimed integrals, so their orbits are curves.
+    // The two fields listed below have two unclaimed integrals each, so their orbits are curves.
     let field = "xdot = h*y - nu*x + y*z; ydot = h*x - nu*y - x*z; zdot = -nu*z + x*y;";
     for arguments in [
         &["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;"][..],

@@ -53,7 +53,7 @@ pub(crate) fn painted(svg: &str) -> usize {
         {
             count += 1;
             assert!(paint.is_seen(), "{element:?} has no plain colour");
-            // Elements without `fill` are black, so all but lines must set or inherit a colour.
+            // Elements without `fill` are black. All but lines must set or inherit another colour.
             let is_said = paint.fill.is_some() || element.name().as_ref() == "line";
             assert!(is_said, "{element:?} is filled with black");
         }

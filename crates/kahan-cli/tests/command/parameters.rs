@@ -63,7 +63,7 @@ fn that_nothing_declares_are_said_once_by_every_command() {
     let family = ["show", "--sites", "3", "--field", "for i in periodic { x[i]dot = k*x[i]*x[i+1]; }"];
     assert_eq!(said(&family), k);
     assert!(refusal(&["show", "--field", "xdot = t*x;"]).contains("write one more equation, `tdot = 1;`"));
-    // No note that a name is taken as a parameter is printed if it has a value or is declared.
+    // A name that has a value or is declared causes no note that it is taken as a parameter.
     let lv = "xdot = a*x*(1 - y); ydot = y*(x - 1);";
     let of_lv = ["--field", lv, "--at", "1,2"];
     for arguments in [

@@ -85,7 +85,6 @@ fn a_branch_goes_round_its_fold() {
         table.starts_with("a,n,x,stability,multiplier1_re,multiplier1_im,change\n1.0,0,1.0,attracting,"),
         "{table}"
     );
-    // The fixed points of the map are those of the flow, ẋ = 0, so a = x².
     for row in table.lines().skip(1) {
         let numbers: Vec<f64> = row.split(',').filter_map(|cell| cell.parse().ok()).collect();
         assert!((numbers[0] - numbers[2] * numbers[2]).abs() < 1e-10, "{row}");
@@ -94,7 +93,7 @@ fn a_branch_goes_round_its_fold() {
 
 #[test]
 fn what_changes_the_stability_of_the_lorenz_system_is_found() {
-    // The equilibria of the Lorenz system lose their stability at s(s + b + 3)/(s − b − 1) =
+    // The equilibria of the Lorenz system lose their stability at r = s(s + b + 3)/(s − b − 1) =
     // 470/19, for the flow and for the map. The multipliers of the map are (1 + ελ)/(1 − ελ).
     let lorenz = ["lorenz", "--param", "s=10", "--param", "b=8/3", "--eps", "1/1000", "--at", "8,8,27"];
     let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:+-2/5", "--json"]].concat());
@@ -133,7 +132,7 @@ fn steady_states_keep_the_totals_of_their_start() {
 
 #[test]
 fn coefficients_of_what_is_held_may_be_parameters_that_stand_still() {
-    // a*x + y is an integral. If a varies, no integral has constant coefficients.
+    // The integral a*x + y depends on a, so it is held only if a is fixed.
     let field = ["periodic", "--field", "xdot = y - x; ydot = -a*(y - x);", "--at", "1,0"];
     let held = |more: &[&str]| object(&[&field[..], more, &["--json"]].concat())["held"].clone();
     assert_eq!(held(&["--param", "a=3"]), serde_json::json!(["3*x + y = 3"]));
@@ -188,8 +187,8 @@ fn what_is_no_cycle_and_what_does_not_fit_is_said() {
     assert!(answer(&over).contains("neutral"));
 }
 
-/// For the cycle of period 29, the sum of the multipliers is 2 + 1.5e-10 with an error of about
-/// 1e-5, so the cycle counts as neutral.
+/// The cycle of period 29 counts as neutral. The sum of its multipliers is 2 within the error of
+/// about 1e-5.
 #[test]
 fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
     let cycle = |eps: &str, at: &str, period: &str| {
@@ -232,7 +231,7 @@ fn limit_cycles_of_the_flow_are_found_with_their_eps() {
         let steps = number(&found["period"]);
         assert!((2.0 * eps * steps / period - 1.0).abs() < 1e-2, "{flow}");
         assert_eq!(found["stability"], "attracting");
-        // In cylindrical coordinates r, z the cycle is a fixed point with eigenvalues −1/2 ± iω.
+        // In (r, z), eigenvalues −1/2 ± iω at the fixed point give multipliers of size exp(−T/2).
         let size = flow["multipliers"].as_array().expect("multipliers").iter();
         let size: Vec<f64> = size.map(|one| number(&one[0]).hypot(number(&one[1]))).collect();
         assert!(
@@ -254,7 +253,6 @@ fn limit_cycles_keep_the_totals_of_their_start() {
     assert!((number(&found["flow"]["period"]) - 2.0 * std::f64::consts::PI / 3.0).abs() < 1e-8, "{found}");
     let totals = found["points"].as_array().expect("points").iter().map(|x| number(&x[0]) + number(&x[3]));
     assert!(totals.into_iter().all(|total| (total - 1.5).abs() < 1e-15), "{found}");
-    // If no integral is held, the cycles form a family with one cycle for each value of x + w.
     let free = kahan(&[&line[..], &["--hold", "none"]].concat());
     assert_eq!(free.status.code(), Some(1));
     assert!(text(&free.stderr).contains("family"), "{}", text(&free.stderr));

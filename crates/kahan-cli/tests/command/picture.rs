@@ -48,7 +48,7 @@ fn words(svg: &str) -> Vec<String> {
     svg.split("<text").skip(1).map(shown).collect()
 }
 
-/// The section of a bifurcation diagram may be a plane, or the maxima of a variable.
+/// An orbit diagram may show the crossings of a plane, or the maxima of a variable.
 #[test]
 fn a_diagram_shows_crossings_over_a_parameter() {
     let rossler = "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);";
@@ -80,7 +80,7 @@ fn a_section_has_the_crossings_of_its_orbits() {
     let counted = [&orbit[..3], &["--at", "1,2,3", "--at", "1,1,2", "--crossings", "5"]].concat();
     assert_eq!(described(&[&counted[..], &["--plane", "x - y"]].concat())["points"], 10);
     assert_eq!(described(&[&counted[..], &["--maxima", "x"]].concat())["points"], 10);
-    // The last variable in the formula x - y is not an axis of the picture.
+    // The picture leaves out y, the last variable in the formula x - y.
     assert!(section["shows"].as_str().expect("words").contains("x and z"), "{section}");
     for (arguments, word) in [
         (&["--kind", "section"][..], "what vanishes there"),
@@ -119,7 +119,7 @@ fn the_points_of_a_portrait_are_those_of_the_orbit() {
     let arguments = ["lv", "--eps", "1/10", "--at", "1/2,5/3", "--steps", "3"];
     let window = ["--window", "x=0:4", "--window", "y=0:4", "--size", "480x466"];
     let svg = drawn(&[&arguments[..], &window].concat());
-    // In the drawing, the axes are 425.32 and 412 long, and begin at (40.68, 424).
+    // In the drawing, the axes are 425.32 and 412 units long. They meet at (40.68, 424).
     let table = answer(&[&["orbit"], &arguments[..]].concat());
     let place = |row: &str| {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().expect("a number")).collect();

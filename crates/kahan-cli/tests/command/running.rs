@@ -15,7 +15,7 @@ pub(crate) fn kahan(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command runs")
 }
 
-/// Runs a command line that begins with `kahan`, in a folder.
+/// Runs `line` in a shell with `folder` as the current folder. The line begins with `kahan`.
 #[cfg(unix)]
 pub(crate) fn shell(line: &str, folder: &Path) -> Output {
     let arguments = line.strip_prefix("kahan ").expect("a command");

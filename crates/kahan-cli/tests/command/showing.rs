@@ -130,7 +130,7 @@ fn the_macro_block_keeps_documentation_attributes_and_the_order_of_parameters() 
     assert_eq!(answer(&["show", "--file", file, "--macro"]), shown);
     let found = answer(&["discover", "--file", file, "--macro", "--seconds", "3"]);
     assert!(found.starts_with(&format!("kahan! {{\n{kept}")), "{found}");
-    // Documentation of fixed parameters is removed with them.
+    // If a parameter is fixed, its documentation is removed.
     let fixed = answer(&["show", "--file", file, "--macro", "--param", "nu=0"]);
     assert!(
         fixed.contains("/// The drive.") && !fixed.contains("Damping") && fixed.contains("/// driven."),

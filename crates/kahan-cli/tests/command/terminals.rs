@@ -138,7 +138,7 @@ mod on_a_terminal {
         let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
         command.args(arguments).stdin(Stdio::null());
         let mut child = connect(&mut command, screen).spawn().expect("the command runs");
-        // The command holds a copy of the terminal. Without `drop`, the terminal stays open.
+        // `command` keeps the terminal open. Without `drop`, reading would not end.
         drop(command);
         let mut read = Vec::new();
         // On Linux, reading from a terminal without a writer ends with an error.

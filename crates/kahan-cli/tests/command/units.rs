@@ -4,7 +4,8 @@ use serde_json::Value;
 
 use crate::running::{answer, object, text};
 
-/// A driven oscillator. With q = 2^k and nu = 2^j, lengths are scaled by 2^−k and times by 2^−j.
+/// A driven oscillator. If q is 2^k, lengths are multiplied by 2^−k. If nu is 2^j, times are
+/// multiplied by 2^−j.
 const FIELD: &str = "xdot = nu*y; ydot = nu*(0.1/q - x - 0.2*y + 0.3*q*x^2);";
 const UNITS: [[i32; 2]; 4] = [[40, 0], [-250, 0], [0, 30], [17, -40]];
 

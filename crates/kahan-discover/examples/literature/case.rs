@@ -73,8 +73,8 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Names of claims may repeat, so each claim is read in a block of its own. Drifts listed before
-    // it are included, because the claim may refer to them.
+    // Each claim is read in a block of its own, because names may repeat. The block also has the
+    // drifts before the claim, to which the claim may refer.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

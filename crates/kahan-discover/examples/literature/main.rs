@@ -18,17 +18,17 @@ const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/literature/ca
 /// Compares the findings of `discover` with published results, case by case.
 ///
 /// A case is a JSON object on a line of its own, with `name`, `source` and `field`. `params` fixes
-/// parameters. `known` holds the published facts: the findings must equal `independent_integrals`
-/// and `growth`, include at least `densities` densities, at least `drifts` drifts, and each of the
-/// `bracket_ranks`, and take at most `seconds` seconds. `shortest` lists claims in their shortest
-/// known form: each is proved, and at least as many claims of each kind must be found. `limit`
-/// names the reason why a known fact is out of reach. `comment` is ignored.
+/// parameters. `known` holds the published facts. The findings must equal `independent_integrals`
+/// and `growth`. They must include all `bracket_ranks`, and at least as many `densities` and
+/// `drifts`. The search must end within `seconds`. `shortest` lists claims in their shortest known
+/// form: each is proved, and at least as many claims of each kind must be found. `limit` names the
+/// reason why a known fact is out of reach. `comment` is ignored.
 ///
 /// A row shows the numbers of independent and of printed integrals, the growth of degrees, the
-/// numbers of densities and drifts, and the ranks of the brackets. The seconds until the last
-/// finding and of the whole search follow. The last entry is the length of the printed claims
-/// divided by that of `shortest`, both without spaces and names. The exit status is 1 if a case
-/// disagrees.
+/// numbers of densities and drifts, and the ranks of the brackets. Then follow two times in
+/// seconds: until the last finding, and of the whole search. The last entry is the length of the
+/// printed claims divided by that of `shortest`, both without spaces and names. The exit status is
+/// 1 if a case disagrees.
 #[derive(Parser, Debug)]
 #[command(after_help = "\
 Examples:

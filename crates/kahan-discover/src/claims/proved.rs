@@ -1,7 +1,7 @@
 //! Writes formulas as claims in the language of `kahan!`, and proves them.
 //!
-//! A formula becomes a claim only if the prover accepts its text, or if a theorem proves the
-//! formula and the text equals it. All other formulas are dropped.
+//! A formula becomes a claim only if the prover accepts its text. If a theorem proves the formula,
+//! the text only has to equal the formula. All other formulas are dropped.
 
 use std::slice::from_ref;
 
@@ -88,9 +88,9 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// Returns the name of the system's own density if a found density must replace it, because a
-    /// block may hold only one density without `when`. Returns `None` if values are fixed, because
-    /// found claims then have a `when` clause.
+    /// Returns the name of the system's own density if a found density must replace it: a block may
+    /// hold only one density without `when`. Returns `None` if values are fixed, because found
+    /// claims then have a `when` clause.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;
@@ -120,8 +120,8 @@ impl<'a> Claims<'a> {
     }
 
     /// Writes the integral numerator/denominator with the name H`index`, and proves it. Returns
-    /// `None` if the proof fails. A long factor is written as a polynomial in one element of `by`
-    /// if the text becomes shorter.
+    /// `None` if the proof fails. A long factor is written in powers of one of the polynomials `by`
+    /// if its text becomes shorter.
     #[must_use]
     pub fn integral(
         &self,

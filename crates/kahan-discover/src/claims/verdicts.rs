@@ -66,8 +66,8 @@ fn degrees(report: &Report) -> String {
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // The sentence on the upper bound for the number of integrals is left out if the bound is n or
-    // more, or if all integrals that orbits allow are found.
+    // The sentence on the upper bound is left out unless the bound is below n. It is also left out
+    // if all integrals that orbits allow are found.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }

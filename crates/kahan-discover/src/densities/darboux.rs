@@ -80,8 +80,8 @@ const HIGHEST_QUOTIENT: u32 = 16;
 
 /// Finds an invariant density of least degree, and tells which degrees were searched.
 ///
-/// For each degree in turn, it tries 1/P for products P of `factors`, up to degree 12, and for all
-/// polynomials P, up to degree `highest`. Then it tries quotients of two products of `factors`.
+/// For each degree in turn, it tries 1/P. Here P is a product of `factors` up to degree 12, or any
+/// polynomial up to degree `highest`. Then it tries quotients of two products of `factors`.
 pub fn measure(
     searched: &SearchField,
     factors: &[Polynomial],

@@ -91,7 +91,7 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     found
 }
 
-/// Returns det(I − ε f′) of the field f without factors that lack states. A fixed ε is inserted.
+/// Returns det(I − ε f′) for the field f, divided by factors without states. A fixed ε is inserted.
 fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
     let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);

@@ -1,4 +1,4 @@
-//! Computes det(I − ε f′) of a field f whose map is beyond the budget of terms.
+//! Computes det(I − ε f′) of a field f whose map has too many terms to be expanded.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{maximal_minors, scaled_matrix};

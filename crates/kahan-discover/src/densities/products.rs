@@ -8,9 +8,9 @@ use crate::densities::darboux::random_step;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// Finds the simplest product P of powers of `factors` with P(x̃) = P(x)/det(∂x̃/∂x). The exponents
-/// have the given `signs`, and Σ |exponent|·degree equals `degree`. The product is tested at two
-/// random points modulo 2⁶¹ − 1, and the caller must prove it.
+/// Finds the simplest density P that is a product of powers of `factors`. A density satisfies P(x̃)
+/// det(∂x̃/∂x) = P(x). The exponents have the given `signs`, and Σ |exponent|·degree equals
+/// `degree`. P is tested at two random points modulo 2⁶¹ − 1. The caller must prove it.
 pub(crate) fn product(
     searched: &SearchField,
     factors: &[Polynomial],
@@ -50,7 +50,7 @@ pub(crate) fn product(
         let each = exponents.iter().zip(factors);
         each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
-    // Densities that are constant at ε = 0 come first, because the flow then preserves volume.
+    // If the flow preserves volume, densities that are constant at ε = 0 come first.
     let is_of_flow = |exponents: &Vec<i32>| {
         let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
         used.all(|(_, factor)| !symbols.has_state(&factor.substitute(symbols.epsilon(), &Rational::zero())))

@@ -1,10 +1,10 @@
 //! Drifts: functions F whose value at the next point is F + c, c·F, or (aF + b)/(cF + d).
 //!
-//! Let P be a basis of polynomials with P(x̃) = C(x)·M·P(x), where M is a matrix and C a cofactor.
-//! Then M acts on quotients of polynomials in the span of P. The search finds these spans modulo a
-//! prime, by degree and cofactor. If a span has a function independent of integrals and earlier
-//! drifts, P and M are reconstructed over ℚ. The module `normal` finds drifts from the Jordan form
-//! of M. Each drift is proved as a claim.
+//! Let P be a vector of polynomials with P(x̃) = C(x)·M·P(x), for a matrix M and a scalar C, the
+//! cofactor. Then M acts on quotients of polynomials in the span of P. The search finds these spans
+//! modulo a prime, for each degree and cofactor. If a span has a function independent of integrals
+//! and earlier drifts, P and M are reconstructed over ℚ. The module `normal` finds drifts from the
+//! Jordan form of M. Each drift is proved as a claim.
 
 mod cofactors;
 mod normal;
@@ -85,8 +85,8 @@ pub struct Constant {
 }
 
 impl DriftKind {
-    /// Returns whether the map from F to its next value has infinite order. F ↦ F + c has infinite
-    /// order if c ≠ 0, and F ↦ c·F if c ≠ ±1.
+    /// Returns whether the map from F to its next value has infinite order. For F ↦ F + c this
+    /// means c ≠ 0. For F ↦ c·F it means c ≠ ±1, because c is a rational function over ℚ.
     pub(crate) fn has_infinite_order(&self) -> bool {
         let one = RationalFunction::one();
         match self {
@@ -150,9 +150,9 @@ pub(crate) fn drifts(
 
 /// Returns an upper bound on the number of independent integrals in n dimensions with these drifts.
 ///
-/// Suppose that in each step a drift F becomes F + c with c ≠ 0, and a drift G becomes c′G, where
-/// c′ is no root of unity. The points (F + kc, c′ᵏG) are Zariski-dense in the plane, so the Zariski
-/// closure of a generic orbit has dimension at least 2. With only F or G it is at least 1.
+/// Suppose that each step turns a drift F into F + c with c ≠ 0, and a drift G into c′G, where c′
+/// is no root of unity. The points (F + kc, c′ᵏG) are Zariski-dense in the plane. A generic orbit's
+/// closure then has at least 2 dimensions, so the bound is n − 2. With only F or G it is n − 1.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     let kinds = || drifts.iter().map(|drift| &drift.kind).filter(|kind| kind.has_infinite_order());
     let has_sum = kinds().any(|kind| matches!(kind, DriftKind::Sum(_)));
@@ -160,7 +160,7 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     n - usize::from(has_sum) - usize::from(has_multiple)
 }
 
-/// Drops the first invalid drift, and all later drifts, because they may depend on the first.
+/// Drops the first invalid drift and all later drifts, because they may depend on it.
 ///
 /// A drift is invalid if it is a function of `integrals` and earlier drifts, or if its claim names
 /// an integral that is in the old list `before` but not in `integrals`.
@@ -232,7 +232,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs over ℚ the invariant space with the monomials `form.support`. Adds its drifts.
+    /// Adds the drifts of an invariant space over ℚ with the monomials `form.support`.
     fn of_space(
         &mut self,
         monomials: &Monomials,
@@ -269,7 +269,7 @@ impl Search<'_> {
             let ((above, scale_above), (below, scale_below)) =
                 (element(&carried.above)?, element(&carried.below)?);
             let next = carried.next.scaled(&scale_above.checked_div(&scale_below)?)?;
-            // F and 1/F are both drifts, so the simpler polynomial becomes the denominator.
+            // F = above/below and 1/F are drifts. The simpler polynomial becomes the denominator.
             let size = |side: &Polynomial| (symbols.degree(side), side.len());
             candidates.push(match next.of_reciprocal() {
                 Some(next) if size(&below) > size(&above) => (below, above, next),

@@ -1,11 +1,11 @@
 //! Finds drifts F from polynomials P with P(x̃) = C(x)·M·P(x) for a matrix M. Let P_v = Σ vᵢPᵢ for
-//! a row vector v, then P_v(x̃) = C(x)·P_{vM}(x). The letters λ, μ, a to d lie in ℚ(parameters, ε).
+//! a row vector v. Then P_v(x̃) = C(x)·P_{vM}(x). Here λ, μ, a, b, c, d are in ℚ(parameters, ε).
 //!
-//! | v, w | F = P_w/P_v | next value |
+//! | equations of v and w | case | next value of F = P_w/P_v |
 //! |---|---|---|
-//! | vM = λv, wM = λw + v | Jordan's chain | F + 1/λ |
-//! | vM = λv, wM = μw | eigenvectors | (μ/λ)·F |
-//! | wM = aw + bv, vM = cw + dv | plane of two conjugate eigenvalues | (aF + b)/(cF + d) |
+//! | vM = λv, wM = λw + v | Jordan chain | F + 1/λ |
+//! | vM = λv, wM = μw | two eigenvectors | (μ/λ)·F |
+//! | wM = aw + bv, vM = cw + dv | two conjugate eigenvalues | (aF + b)/(cF + d) |
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -80,7 +80,7 @@ pub(super) struct FunctionWithNext {
     pub(super) next: NextValue,
 }
 
-/// Returns all drifts of M = `matrix` in the module's table. `free` is any variable not in M.
+/// Returns the drifts of M = `matrix`. Its characteristic polynomial is in the variable `free`.
 pub(super) fn drifts_of(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
@@ -177,8 +177,7 @@ fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
     sum
 }
 
-/// Returns a basis of the row vectors v with vM = 0. Each vector has 1 in one column without a
-/// pivot, and 0 in the other columns without a pivot.
+/// Returns a basis of the row vectors v with vM = 0.
 fn left_null_space(matrix: &Matrix) -> Vec<Vector> {
     let columns = matrix.len();
     let transposed = |column: usize| matrix.iter().map(|row| row[column].clone()).collect();

@@ -18,8 +18,8 @@ type Pairs = Vec<Vec<u64>>;
 
 pub(super) struct Points {
     modulus: Modulus,
-    /// For each point x: the monomials at x, the monomials at x̃ times a power of the map's
-    /// denominator, and the factors of the Jacobian determinant at x.
+    /// For each point x: the monomials at x, the monomials at x̃, and the factors of the Jacobian
+    /// determinant at x. The monomials at x̃ are multiplied by a power of the map's denominator.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 
@@ -51,8 +51,8 @@ impl Points {
     }
 
     /// Returns the largest space V such that for each P in V, P(x̃) = C(x)·Q(x) for some Q in V.
-    /// The cofactor C is the product of the candidate factors with these `exponents`. Each basis
-    /// element P is paired with its Q.
+    /// The cofactor C is the product of the factors of the Jacobian determinant with these
+    /// `exponents`. Each basis element P is paired with its Q.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {
@@ -76,7 +76,7 @@ impl Points {
     }
 }
 
-/// Returns the combinations of pairs (P, Q) for which Q is in the span of all polynomials P.
+/// Returns those linear combinations of pairs (P, Q) whose Q lies in the span of all P.
 fn with_images_inside(modulus: &Modulus, pairs: &Pairs, count: usize) -> Pairs {
     let space = Echelon::of(modulus, pairs.iter().map(|pair| pair[..count].to_vec()).collect(), count);
     let outside = |pair: &[u64]| space.remainder(modulus, pair[count..].to_vec());
@@ -93,8 +93,8 @@ pub(super) struct InvariantSpace {
 }
 
 impl InvariantSpace {
-    /// Restricts the space to polynomials in the monomials of `form`. Returns `None` if the leading
-    /// monomials of the reduced basis are not those of `form`.
+    /// Keeps only the coefficients of the monomials of `form`. Returns `None` if the reduced basis
+    /// has other leading monomials than `form`.
     pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
         let count = pairs.first()?.len() / 2;
         let wide = |pair: &Vec<u64>| {

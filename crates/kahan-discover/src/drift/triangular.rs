@@ -1,8 +1,8 @@
 //! Finds states whose next value is a function of the state itself and of earlier drifts.
 //!
 //! If a drift or integral F is a Möbius function of a single state xᵢ, then xᵢ is a function of F.
-//! Let w be another state. If its next value contains no states except w and those known in this
-//! way, w is a drift. The product of w with a power of an earlier drift may have a shorter text.
+//! If the next value of another state w contains no states except w and such xᵢ, w is a drift. The
+//! product of w with a power of an earlier drift may have a shorter text.
 
 use std::slice::from_ref;
 
@@ -27,7 +27,7 @@ pub(super) struct TriangularSystem {
     symbols: Symbols,
     own: Symbols,
     components: Vec<Polynomial>,
-    /// The expression of each state in drifts, if known.
+    /// Each state as a function of drifts, if known.
     values: Vec<Option<RationalFunction>>,
     /// For each drift F: the symbol for F, F as a function of the states, and the next value of F
     /// as a function of the symbols of the drifts.
@@ -146,7 +146,7 @@ impl TriangularSystem {
         self.steps.push([drift, in_states, next]);
     }
 
-    /// Returns the first state that is a drift, or its product with a power of a drift if shorter.
+    /// Returns the first state w that is a drift, or the shortest product w·F^k with a drift F.
     pub(super) fn link(&self, name: &str) -> Option<DriftCandidate> {
         if self.steps.is_empty() {
             return None;
@@ -217,7 +217,7 @@ fn raised(function: &RationalFunction, power: i32) -> Option<RationalFunction> {
     Some((0..power.unsigned_abs()).fold(RationalFunction::one(), |product, _| &product * &base))
 }
 
-/// Renames variables by index: states and parameters have equal indices in both symbol tables.
+/// Rewrites the polynomial for another symbol table. States and parameters keep their indices.
 fn moved(polynomial: &Polynomial, from: &Symbols, to: &Symbols) -> Polynomial {
     polynomial.map_variables(|variable| match from.symbol(variable) {
         Symbol::State(i) | Symbol::SecondState(i) => to.state(i),

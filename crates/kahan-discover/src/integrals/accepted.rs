@@ -16,7 +16,7 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::primitive_in_states;
 
-/// Before a search with more unknowns than this, all known integrals are accepted, to avoid it.
+/// All known integrals are accepted before a search with more unknowns than this number.
 const MOST_AHEAD: usize = 150;
 
 /// An integral P/Q is not simplified if P and Q have at most this many characters together.
@@ -52,7 +52,7 @@ impl AcceptedIntegrals<'_> {
         }
     }
 
-    /// Accepts `known` integrals up to this degree, or all if a search of the degree is expensive.
+    /// Accepts `known` integrals up to this degree, or all if searching this degree is expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
@@ -95,8 +95,8 @@ impl AcceptedIntegrals<'_> {
         }
     }
 
-    /// Returns P/Q if its text is short. Otherwise returns the shortest quotient that depends on
-    /// the states at ε = 0, formed from two of P, Q and the special elements P + cQ.
+    /// Returns P/Q if its text is short. Otherwise returns the shortest quotient of two of the
+    /// elements P, Q and P + cQ with special c. It must depend on the states at ε = 0.
     fn shortest(
         &self,
         (numerator, denominator): &(Polynomial, Polynomial),
@@ -113,7 +113,7 @@ impl AcceptedIntegrals<'_> {
         if special.is_empty() {
             return own;
         }
-        // A flat denominator has no state at ε = 0, so the quotient becomes a polynomial there.
+        // A flat polynomial has no state at ε = 0. A quotient by it becomes a polynomial there.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
@@ -139,8 +139,8 @@ impl AcceptedIntegrals<'_> {
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of the accepted integrals at a point of the whole space. The list is
-    /// empty if `leaf` is a level set with fewer dimensions.
+    /// Returns the gradients of the accepted integrals at a point. The list is empty if `leaf` is
+    /// not the whole space.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

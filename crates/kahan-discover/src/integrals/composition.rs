@@ -1,4 +1,4 @@
-//! Finds the integrals that compositions of the map φ_ε at different ε preserve.
+//! Finds which integrals of the map φ_ε its compositions preserve, too.
 //!
 //! The integrals are tested on φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂, the symmetric
 //! pattern of composition methods of higher order.
@@ -44,8 +44,8 @@ impl ModularStep for ComposedMap {
     }
 }
 
-/// Returns the integrals of φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} modulo a prime, for the map φ_ε and random
-/// γ₁, γ₂. The formulas contain this ε.
+/// Tests modulo a prime which `formulas` the map φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} preserves, for random
+/// γ₁ and γ₂. An ε in a formula is that of φ_ε.
 ///
 /// Returns `None` if the map is undefined or the deadline passes.
 pub fn survivors(

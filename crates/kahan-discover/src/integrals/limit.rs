@@ -9,8 +9,8 @@ use crate::modular::subspace::primitive_in_states;
 
 const LIMIT_WORK: u64 = 2_000_000;
 
-/// Returns a polynomial P′ such that P′/Q depends on the states at ε = 0. As long as P/Q tends to
-/// some c without states for ε → 0, replaces P by P − cQ without its state-free factors.
+/// Returns a polynomial P′ such that P′/Q depends on the states at ε = 0. While P/Q tends to a
+/// function c without states for ε → 0, P becomes P − cQ, divided by its factors without states.
 pub(crate) fn with_a_limit(
     symbols: &Symbols,
     mut numerator: Polynomial,

@@ -4,8 +4,8 @@
 //! Let F(s, t) be a polynomial of degree d. The equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions (G, H)
 //! of degree below d, besides multiples of ∇F, if and only if F factors over ℂ or has a square
 //! factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003). For F = P + cQ on
-//! a random plane the equation is linear in c, so the wanted c are roots of a polynomial modulo a
-//! prime. The caller must prove the results.
+//! a random plane, it is a linear system whose matrix is linear in c. The wanted c are therefore
+//! roots of a polynomial modulo a prime. The caller must prove the results.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -119,7 +119,7 @@ pub(crate) fn members(
     let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         special_elements(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
-    // Counts the elements of each kind at each sample. Some with irrational c may be missing.
+    // Counts the elements with equal `MemberProperties` at each sample.
     let mut kinds: Vec<(MemberProperties, Vec<usize>)> = Vec::new();
     for look in 0..PARAMETER_SAMPLES {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -145,7 +145,7 @@ pub(crate) fn members(
     found
 }
 
-/// Returns a basis vector of the intersection of the spans of `here` and `there`, if it is a line.
+/// Returns a vector in the intersection of the spans of `here` and `there`, if this is a line.
 fn common_element(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
     let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
     let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
@@ -154,13 +154,13 @@ fn common_element(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]
     Some((0..here[0].len()).map(own).collect())
 }
 
-/// Properties of a special element F that are equal in all samples, and so identify F.
+/// Properties of a special element F that are equal in all samples. They identify F.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct MemberProperties {
     multiplicity: usize,
     /// The dimension of the space of solutions G, H of ∂(G/F)/∂t = ∂(H/F)/∂s.
     solutions: usize,
-    /// The degree of gcd(L, L′), where L is F's leading form as a polynomial in one variable.
+    /// The degree of gcd(L, L′), where L is the leading form of F with t = 1.
     at_infinity: usize,
     support: Vec<usize>,
 }
@@ -184,8 +184,8 @@ fn special_elements(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // For one c the polynomial F = P + cQ lacks the highest power of s. Then ∇F solves the
-    // equations even if F does not factor, so this c is removed from the roots once.
+    // For one c the polynomial F = P + cQ lacks the highest power of s. Then ∇F is a solution even
+    // if F is irreducible. `spectrum` is therefore divided by this root.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;
@@ -284,8 +284,8 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
     let columns = p.len();
     let mut determinants = Vec::new();
     for _ in 0..2 {
-        // Each row is a random combination of the equations. Its first half is a row of a square
-        // matrix Q, and its second half a row of P.
+        // Each row is a random combination of the equations. It holds a row of a square matrix Q
+        // made from `q`, and then a row of P made from `p`.
         let mixed = (0..columns).map(|_| {
             let mixer: Vec<u64> = (0..p[0].len()).map(|_| modulus.sample(random)).collect();
             q.iter().chain(p).map(|column| modulus.dot(&mixer, column)).collect()
@@ -345,8 +345,8 @@ fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
     leading.pop().expect("there is one for each size")
 }
 
-/// Returns F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for monomials G and H of degree below that of F.
-/// The monomials G lack the highest power of s, which excludes the solution ∇F.
+/// Returns the columns of the linear system F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s = 0 for G and H.
+/// The polynomial G lacks the highest power of s, which excludes the solution ∇F.
 fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
     let wide = 2 * degree;
     let mut columns = Vec::new();

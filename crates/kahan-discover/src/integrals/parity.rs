@@ -1,15 +1,15 @@
 //! Finds the sign changes of states that map orbits to orbits.
 //!
 //! Let f(Sx) = ±S f(x) with S = diag(±1). Then the map φ satisfies φ(Sx) = Sφ(x) at ε or −ε, and S
-//! maps the closure of an orbit to the closure of another orbit. S multiplies the coefficient of a
-//! monomial m in a reduced relation by the sign of m times the sign of the leading monomial. If the
-//! coefficient equals P/Q, P and Q need monomials of only one sign each.
+//! maps the closure of an orbit to the closure of another orbit. The sign of a monomial m is ±1 in
+//! m(Sx) = ±m(x). S multiplies the coefficient of m in a reduced relation by the signs of m and of
+//! the leading monomial. If it equals P/Q, P can have monomials of a single sign, and so can Q.
 
 /// The most generators of sign changes that are returned.
 const MAX_GENERATORS: usize = 8;
 
-/// A term xⱼxₖ of component i, as a bit set: the sum over F₂ of the unit vectors of the states i, j
-/// and k. A term xⱼ lacks k, and a constant term lacks j and k.
+/// The indices that occur an odd number of times among i, j and k, as a bit set, for a term xⱼxₖ of
+/// component i. A linear term has no k, and a constant term has neither j nor k.
 pub type TermSigns = u64;
 
 /// Returns generators of the sign changes of states, each as a bit set. `terms` holds all terms of

@@ -11,7 +11,7 @@ use crate::modular::subspace::{Form, PolynomialSpace, spread_to_monomials};
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
-/// The number of equations in a linear system beyond the number of unknowns.
+/// A linear system gets this many more equations than unknowns.
 pub(crate) const SPARE_EQUATIONS: usize = 4;
 
 /// A space of polynomials whose quotients are integrals, at one choice of the parameters and ε.
@@ -46,8 +46,8 @@ pub(crate) struct PencilEntry {
 }
 
 impl PencilEntry {
-    /// Finds the quotient P/Q whose value at the start of each orbit is this coefficient of the
-    /// orbit's relation. Returns `None` unless exactly one quotient has this property.
+    /// Finds the quotient P/Q that equals the coefficient of `lower` in each orbit's relation, at
+    /// the start of the orbit. Returns `None` unless exactly one quotient has this property.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,
@@ -74,8 +74,8 @@ impl PencilEntry {
 }
 
 impl Pencil {
-    /// Returns the space at the parameters and ε of `map`. Returns `None` if its basis has other
-    /// leading monomials than `self.space`, the map is undefined, or the deadline passes.
+    /// Computes the space again at the parameters and ε of `map`. Returns `None` if its leading
+    /// monomials differ from those of `self.space`, the map is undefined, or the deadline passes.
     pub fn at(
         &self,
         map: &impl ModularStep,

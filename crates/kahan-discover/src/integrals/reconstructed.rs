@@ -33,12 +33,12 @@ pub struct SearchGoals<'a> {
     pub proved: &'a [Formula],
     /// Polynomial integrals of the flow that the map preserves.
     pub kept: &'a [Polynomial],
-    /// Integrals P/Q, and a deadline. Each integral is accepted once the search has passed its
-    /// degree. After the search, the rest are accepted, unless the deadline has passed.
+    /// Further integrals P/Q, with a deadline. Each integral is tried after the search of its
+    /// degree. The rest are tried at the end, unless the deadline has passed.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
-    /// The number and degrees of integrals as seen on orbits. With `None`, nothing is searched.
+    /// The number and degrees of integrals, as seen on orbits. `None` means no search.
     pub hilbert: Option<&'a Hilbert>,
-    /// Known integrals P/Q, accepted unless the search finds others of lower degree.
+    /// Integrals P/Q known already, accepted unless the search finds others of lower degree.
     pub known: &'a [(Polynomial, Polynomial)],
     /// The limits on the size of formulas.
     pub reach: FormulaLimits,
@@ -75,7 +75,7 @@ pub fn integrals(
     }
     let (further, end) = aims.further;
     if !further.is_empty() && !end.passed() {
-        // `further` may hold more integrals than orbits show, so their number is not limited here.
+        // `further` may hold more integrals than the orbits showed, so all of them may be accepted.
         collector.wanted = usize::MAX;
         collector.offer_further(u32::MAX);
     }
@@ -228,7 +228,7 @@ impl AcceptedIntegrals<'_> {
     }
 }
 
-/// Permutes coefficients from the order of variables on a level set to the order of the states.
+/// Reorders coefficients: their variables change from `order` to the order of the states.
 fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Vec<u64> {
     let own = |index: usize| {
         let exponents = monomials.exponents(index);

@@ -1,8 +1,8 @@
 //! Simplifies integrals P/Q by subtraction of a known product from the numerator.
 //!
 //! Let M be a product of factors of known integrals with M(x̃)/M(x) = Q(x̃)/Q(x). Then M/Q is an
-//! integral. If P/M is constant on the zeros of a factor q of Q, some combination αP − βM is
-//! divisible by q.
+//! integral. If P/M is constant on the zeros of a factor q of Q, then q divides αP − βM for some α
+//! and β without states.
 
 use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
@@ -95,7 +95,7 @@ fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
     common.scale(&polynomial.content().checked_div(&common.content()).unwrap_or_else(Rational::one))
 }
 
-/// Returns the products M of `factors` with M(x̃)/M(x) = P(x̃)/P(x), where P is the denominator.
+/// Returns the products M of `factors` with M(x̃)/M(x) = Q(x̃)/Q(x), where Q is the denominator.
 /// The degree of M is at most that of the numerator.
 fn products(
     searched: &SearchField,

@@ -27,7 +27,8 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
     let modulus = map.modulus();
     let n = map.dimension();
     let monomials = Monomials::new(n, relation_degree);
-    // Sign changes of states exclude most monomials of high degree from P and Q.
+    // Under a sign change of states, all monomials of P must have equal signs, and so must those of
+    // Q. This excludes most monomials of high degree.
     let generators = map.sign_changes();
     if Monomials::count(n, degree) > reach.coefficients << generators.len() {
         return;
@@ -93,7 +94,7 @@ pub(crate) fn entries_of_degree<M: ModularStep>(
 }
 
 /// Returns pairs (leading monomial, monomial) for the coefficients that differ between two orbits.
-/// Only relations are used whose leading monomial is divisible by no other leading monomial.
+/// Skips a relation if another leading monomial divides its own.
 fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usize)> {
     let [first, second, ..] = orbits else { return Vec::new() };
     let divides = |a: usize, b: usize| {

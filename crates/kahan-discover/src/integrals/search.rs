@@ -2,8 +2,8 @@
 //!
 //! Let U be a space of polynomials whose quotients are integrals. An element of U vanishes on an
 //! orbit if it vanishes at the orbit's start, so the relations of one orbit have codimension 1 in
-//! U. Conversely, let V be the span of the relations of all orbits. If the relations of one orbit
-//! have codimension 1 in V, then all quotients in V are integrals.
+//! U. Conversely, let V be the span of the relations of all orbits. If the relations of each orbit
+//! have codimension 1 in V, all quotients of elements of V are integrals.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -33,7 +33,8 @@ impl FormulaLimits {
     /// The largest limits on formulas.
     pub const FULL: Self = FormulaLimits { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
 
-    /// The limits if Hirota–Kimura bases or compact forms already give all integrals.
+    /// The limits for a short search, if Hirota–Kimura bases or compact forms already give all
+    /// integrals.
     pub const SHORT: Self = FormulaLimits { coefficients: 300, terms: 60, orders: 2 };
 }
 
@@ -59,7 +60,7 @@ pub fn spanned_pencils<M: ModularStep>(
     search.pencils
 }
 
-/// Finds [`Pencil`]s of exactly this degree in which coefficients of relations are quotients P/Q.
+/// Finds [`Pencil`]s of P and Q of exactly this degree, where P/Q is a coefficient of relations.
 ///
 /// `known` returns the gradients of known functions at a point. The integrals must be independent
 /// of these functions. The result is empty if the deadline passes. For P and Q with N monomials

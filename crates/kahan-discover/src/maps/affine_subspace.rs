@@ -1,8 +1,8 @@
 //! Affine level sets, which linear relations of orbits define.
 //!
 //! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace with fewer
-//! variables. The varying coefficients c₁, c₂, … of these relations are integrals, and become
-//! unknowns. In the coordinates of a level set the linear relations and their multiples vanish
+//! variables. The coefficients c₁, c₂, … that vary between orbits are integrals. On a level set
+//! they are constants, which formulas contain like parameters. The linear relations vanish there
 //! identically, so fewer relations remain. A formula on a level set holds everywhere once each cⱼ
 //! is replaced by its own formula.
 
@@ -54,7 +54,7 @@ pub struct MapOnSubspace {
 }
 
 impl Coordinate {
-    /// Returns the weight of the coefficient cⱼ under the scaling symmetries.
+    /// Returns the weights w of the coefficient cⱼ. Each scaling symmetry multiplies cⱼ by λ^w.
     #[must_use]
     pub fn weight(&self, weights: &Weights) -> Vec<Rational> {
         let of = |side: &Polynomial| {
@@ -97,7 +97,8 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // Coefficients are independent if the relations on some orbit have random values of them.
+        // The coefficients are independent if some orbit has relations with randomly chosen
+        // coefficients.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));

@@ -15,8 +15,8 @@ const SUBSTITUTION_WORK: u64 = 20_000_000;
 pub struct Chart {
     /// The level set.
     pub leaf: AffineSubspace,
-    /// The formulas of the constants, in order. In a search on the level set of one more integral,
-    /// the formula of that integral comes last.
+    /// The formulas of the constants, in order. If the search is on the level set of a further
+    /// integral, the formula of this integral comes last.
     pub coordinates: Vec<Coordinate>,
 }
 

@@ -1,8 +1,7 @@
 //! Restricts orbits to a level set of a known integral.
 //!
-//! Suppose that coefficients of relations depend on several integrals, and that an integral F = P/Q
-//! is known. On the level set P − cQ = 0 the coefficients depend on one integral less. The value c
-//! of F is an unknown.
+//! Let F = P/Q be a known integral. Its value c is an unknown. On the level set P − cQ = 0,
+//! coefficients of relations depend on one integral less.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{Random, SplitMix64};

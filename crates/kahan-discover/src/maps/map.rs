@@ -1,7 +1,7 @@
 //! Kahan's map modulo a prime, with residues as parameters and ε.
 //!
-//! A step solves a linear system with the matrix A(x,ε) = I − ε f′(x). Points at which A is
-//! singular are poles, even if the map has a limit there. A random point is almost never a pole.
+//! A step solves a linear system with the matrix A(x,ε) = I − ε f′(x). Points with singular A count
+//! as poles, even if the reduced map is defined there. A random point is almost never a pole.
 
 use crate::integrals::parity::sign_changes;
 use crate::maps::modular_step::ModularStep;

@@ -19,7 +19,7 @@ pub(super) struct Rows<'a> {
 const MOST_DRAWN: usize = 1 << 26;
 
 impl<'a> Rows<'a> {
-    /// Returns the axes, and the mean of each cell, from the bottom up. Empty cells are NaN.
+    /// Returns the axes and the mean value in each cell, bottom row first. Empty cells are NaN.
     pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Axis>, Vec<f64>), UsageError> {
         let axes = 0..self.over.len();
         let name = |over: &'a String| over.split_once('=').map_or(&**over, |(name, _)| name).trim();

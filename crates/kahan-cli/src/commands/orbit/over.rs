@@ -13,7 +13,7 @@ struct AxisCombinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The systems for the first `CACHED_COMBINATIONS` combinations of values on the `axes`.
+    /// One study for each of the first `CACHED_COMBINATIONS` combinations of values.
     few: Vec<Study>,
 }
 
@@ -127,5 +127,4 @@ impl<'a> AxisCombinations<'a> {
 
 const MOST: usize = 1 << 20;
 
-/// The number of combinations whose maps are cached.
 const CACHED_COMBINATIONS: usize = 1024;

@@ -73,7 +73,7 @@ impl Subject<'_> {
         PictureRequest::portrait(eps.clone(), vec![StartSpec::Point(start.clone())], steps)
     }
 
-    /// Returns this fraction of the available seconds, rounded to tenths.
+    /// Returns the fraction `share` of the available seconds, rounded to tenths.
     pub(super) fn share(&self, share: f64) -> f64 {
         (10.0 * share * self.seconds).round().max(1.0) / 10.0
     }
@@ -137,7 +137,7 @@ impl Subject<'_> {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
         };
-        // In a chart the first range varies fastest, in the question `Over` the last axis.
+        // The first range of a chart varies fastest, but in `Over` the last axis does.
         let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
             let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
             let range = range.expect("printed numbers make a range");
@@ -187,7 +187,7 @@ impl Subject<'_> {
         figure(id, title, &line, drawn)
     }
 
-    /// Returns the number of steps for Lyapunov exponents; more variables get fewer steps.
+    /// Returns the number of steps for Lyapunov exponents. More variables mean fewer, to save time.
     fn steps(&self) -> u64 {
         let variables = self.variables.len() as u64;
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
@@ -203,7 +203,7 @@ impl Subject<'_> {
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
     }
 
-    /// Asks for orbits from points between the initial point and the middle of its orbit's range.
+    /// Asks for orbits from points between the initial point and the middle of its orbit.
     fn many_orbits(&self, steps: u64) -> PictureRequest {
         let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
@@ -216,8 +216,8 @@ impl Subject<'_> {
         PictureRequest { spread, seconds: SECONDS, ..PictureRequest::portrait(eps.clone(), at, steps) }
     }
 
-    /// Returns the formula of a plane through the middle of the range of the third variable. If
-    /// this variable is nearly constant, the variable with the longest range replaces it.
+    /// Returns the formula of a plane through the middle of the range of one variable. This is the
+    /// third, or the one with the longest range if the third is nearly constant.
     fn plane(&self) -> String {
         const MOVES: f64 = 1e-3;
 
@@ -233,7 +233,7 @@ impl Subject<'_> {
         }
     }
 
-    /// Returns the range of a variable along its orbit, extended by a tenth at both ends.
+    /// Returns the range of a variable along the shown orbit, extended by a tenth at both ends.
     fn range(&self, k: usize) -> [f64; 2] {
         let [low, high] = self.shown.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.shown.size);
@@ -270,7 +270,7 @@ pub(super) fn command(line: &CommandLine) -> Markup {
 /// Explains by the numbers of crossings whether a section shows curves or areas.
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
-    /// An orbit is periodic if it visits each distinct crossing this many times on average.
+    /// An orbit counts as periodic if it has this many crossings for each distinct place.
     const PERIODIC_VISITS: usize = 10;
 
     let of =
@@ -301,7 +301,6 @@ fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     }
 }
 
-/// Rounds to a multiple of the largest power of ten below a hundredth of `length`.
 fn rounded_to_unit(value: f64, length: f64) -> String {
     let unit = libm::exp10(libm::log10(length / 100.0).floor());
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };

@@ -1,4 +1,4 @@
-//! The page of a lifted field. The field's text gives the initial point, on which the lift depends.
+//! The page of a lifted field. The lift depends on the initial point, so the field's text gives it.
 
 use kahan_draw::answer;
 use kahan_draw::picture::{PictureOptions, relations};

@@ -208,7 +208,7 @@ impl PictureRequest {
             ProgressDisplay::new((starts.len() as u64).saturating_mul(steps), "steps").within(self.seconds);
         let mut found = Vec::new();
         for at in starts {
-            // `ask` is called for the first point in any case, because it may return an error.
+            // The first point is tried even if time is up, so that its error is reported.
             if prompt.is_over() && !found.is_empty() {
                 break;
             }
@@ -225,7 +225,7 @@ impl PictureRequest {
         section: Option<&Section>,
         look: &PictureOptions,
     ) -> Result<NotedPicture, UsageError> {
-        // With given axes, the study shows all variables: an axis may be a new variable of a lift.
+        // Given axes may name new variables of a lift, so the study then shows all variables.
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len(), section.and_then(|asked| asked.crossings).unwrap_or(self.steps))?;

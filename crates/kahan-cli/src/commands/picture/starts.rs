@@ -20,7 +20,7 @@ pub(crate) enum StartSpec {
 /// The number and the distribution of the initial points that each `--at` gives.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StartSpread {
-    /// The number of points; `None` if `--at` is the only point.
+    /// The number of points. `None` means that each `--at` is one point.
     pub(crate) count: Option<usize>,
     pub(crate) radius: Rational,
     pub(crate) seed: u64,

@@ -85,7 +85,7 @@ fn step_section(page: &mut Page, name: &str, step: &Listing) {
     page.section(&format!("how far the {name} holds"), domain(step.holds_to));
 }
 
-/// Explains `holds_to`: up to this |ε f′|, the plan is about as accurate as Gaussian elimination.
+/// Explains that a plan is about as accurate as Gaussian elimination up to |ε f′| = `holds_to`.
 fn domain(holds_to: u32) -> Vec<String> {
     let end = if holds_to == LARGEST_SIZE {
         "as far as was looked."

@@ -92,7 +92,7 @@ fn an_orbit_goes_on_from_a_file() {
     };
     let formulas = "b = cos(i); a = exp(-i)/2";
     springs(formulas, "6", "6", &whole);
-    // The array `first` has the states at n = 0 and n = 3. The next orbit begins at the last state.
+    // The array `first` has the states at n = 0 and n = 3. The next orbit begins at the second.
     springs(formulas, "3", "3", &first);
     let (header, values) = array(&first);
     assert_eq!(header, "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 50, 2), }");

@@ -175,7 +175,7 @@ fn no_steps_are_one_row() {
 
 #[test]
 fn an_integral_without_a_value_is_an_empty_cell_and_null() {
-    // H = y/x of E3 is undefined at x = 0, where the map has a fixed point.
+    // H = y/x of E3 is undefined at the initial point, which is a fixed point of the map.
     for scalar in ["exact", "f64", "f32"] {
         let arguments = ["e3", "--eps", "1/10", "--at", "0,1,0", "--steps", "1", "--scalar", scalar];
         let (names, rows) = table(&answer(&arguments));

@@ -28,11 +28,11 @@ fn complaint(arguments: &[&str], status: i32) -> String {
 fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     let scene = ["--field", "xdot = x^2 + 1;", "--at", "0", "--horizon", "1.564", "--tolerance", "1e-4"];
     let object = json(&scene);
-    // The tangent amplifies the error of its argument by 1 + tan² ≈ 2·10⁴.
+    // At the horizon, an error of t is amplified by 1 + tan² t ≈ 2·10⁴.
     assert!((number(&object, "scale") / 1.564_f64.tan() - 1.0).abs() < 1e-11, "{}", object["scale"]);
     let choice = &object["choice"];
     assert!(number(choice, "trajectory_error") <= 1e-4);
-    // Near the end f′(x) = 2x is about 300, but earlier it is much smaller, so ε may exceed 1/300.
+    // f′(x) = 2x is about 300 at the horizon, but mostly much smaller, so ε may exceed 1/300.
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 
@@ -95,7 +95,7 @@ fn systems_beyond_the_paper_are_timed_as_compiled_too() {
     assert_eq!(object["timing"], "measured");
 }
 
-/// Order 2 in compensated `f64` needs fifty times as many steps here as in double-double.
+/// On this orbit, compensated `f64` at order 2 needs fifty times as many steps as double-double.
 #[test]
 fn double_double_is_tried_where_the_roundings_of_f64_are_felt() {
     let scene =

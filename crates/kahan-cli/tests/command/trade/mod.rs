@@ -169,8 +169,8 @@ fn integrals_are_kept_by_a_coarse_step_of_the_map_itself() {
     assert!(number(choice, "flow_integral_drift") > 1e-4, "at this eps the flow's are not kept: {choice}");
 }
 
-/// At ε = 0 the claimed integrals of the Euler top are 1 everywhere. The drift of a composition is
-/// therefore measured by the coefficient of ε² in an integral.
+/// At ε = 0 the claimed integrals of the Euler top are the constant 1. The drift of a composition
+/// is therefore measured by the coefficient of ε² in an integral.
 #[test]
 fn an_integral_that_is_trivial_for_the_flow_is_measured_by_its_next_coefficient() {
     let scene = ["trade", "euler", "--param", "a1=1", "--param", "a2=-3", "--param", "a3=1"];

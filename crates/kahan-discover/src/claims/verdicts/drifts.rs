@@ -1,4 +1,4 @@
-//! Writes sentences on drifts: functions that change by a constant in every step.
+//! Writes sentences on drifts: functions F with F(x̃) = F(x) + c or F(x̃) = c·F(x), for example.
 
 use crate::claims::writing::is_product;
 use crate::drift::{Constant, Drift, DriftKind};

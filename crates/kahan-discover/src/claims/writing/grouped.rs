@@ -62,8 +62,8 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // Each entry holds a factor, the total number of terms of the coefficients that it divides,
-        // and the indices of these coefficients.
+        // Each entry holds a factor, the total number of terms of the coefficients with this
+        // factor, and the indices of these coefficients in `groups`.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {

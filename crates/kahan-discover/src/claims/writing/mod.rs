@@ -1,7 +1,7 @@
 //! Writes formulas as products of factors in the language of `kahan!`.
 //!
-//! A long factor may have a shorter text Σ dₖ Fᵏ in powers of another polynomial F, as for the
-//! Lagrange top. F is linear in a variable v, and the coefficients dₖ do not contain v.
+//! A long factor may have a shorter text Σ dₖ Fᵏ in powers of another polynomial F. F is linear in
+//! a variable v, and the coefficients dₖ do not contain v.
 
 mod grouped;
 mod powers;
@@ -170,8 +170,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // The text needs the monomial `front_below` on the other side of the
-                        // fraction bar, so its length is counted 3/2 times.
+                        // A monomial `front_below` must be written elsewhere in the text, so the
+                        // length counts 3/2 times.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));

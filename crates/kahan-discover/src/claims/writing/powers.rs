@@ -7,7 +7,7 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
-/// A factor taken out of a sum: the number `content` times `front`/`front_below`, two monomials.
+/// A factor of a sum: the number `content` times the quotient of monomials `front`/`front_below`.
 pub(super) struct Scale {
     pub(super) content: Rational,
     pub(super) front: Monomial,
@@ -15,7 +15,7 @@ pub(super) struct Scale {
 }
 
 pub(crate) struct PowerExpansion {
-    /// The polynomial times `scale`. Powers of the variable `fresh` stand for powers of the base.
+    /// The polynomial times `scale`, as a polynomial in `fresh`, which stands for the base F.
     pub(crate) sum: Polynomial,
     pub(crate) fresh: Variable,
     pub(crate) scale: Polynomial,
@@ -39,8 +39,7 @@ pub(crate) fn in_powers(
     if slope.len() > 1 || symbols.has_state(&slope) {
         return None;
     }
-    // The base is F = μv + r. If a polynomial Σ pᵢ vⁱ has degree K in v, then
-    // μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ.
+    // Let F = μv + r be the base and K = `highest`. Then μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ.
     let highest = polynomial.degree_in(variable);
     let shifted = Polynomial::variable(fresh) - rest;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
@@ -48,8 +47,8 @@ pub(crate) fn in_powers(
     Some(PowerExpansion { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
-/// Removes all terms that contain no state, and divides the others by their common factor without
-/// states. For example, 1 − ε²(x − ay) becomes x − ay.
+/// Removes all terms without states. Divides the others by the powers of parameters and ε that all
+/// of them have. For example, 1 − ε²(x − ay) becomes x − ay.
 fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     let has_states = |monomial: &Monomial| monomial.powers().iter().any(|&(v, _)| symbols.is_state(v));
     let moving = base.terms().filter(|(monomial, _)| has_states(monomial));
@@ -79,7 +78,7 @@ pub(super) fn by_powers(
     if front.exponent(fresh) > 0 {
         return None;
     }
-    // Results with a sum divided by a power of ε are rejected: they lose digits at small ε.
+    // Texts that divide a sum by a power of ε are rejected, because they lose digits at small ε.
     if factor.exponent(symbols.epsilon()) > front.exponent(symbols.epsilon()) {
         return None;
     }
