@@ -32,8 +32,8 @@ pub struct Options {
     pub degree: Option<u32>,
     /// The most iterates of the map whose degrees are computed.
     pub iterates: usize,
-    /// No iterate is computed after one whose degree is greater than this. The limit may be higher
-    /// up to the fifth iterate.
+    /// The computation of degrees ends with the first iterate whose degree exceeds this. The limit
+    /// may be higher for the first four iterates.
     pub iterate_degree: usize,
     /// The time limit in seconds on the watch's clock. Without a clock there is no limit.
     pub seconds: f64,
@@ -67,7 +67,7 @@ pub struct StructureReport {
     pub quadratic_integrals: Vec<String>,
     /// The degree, at most 2, up to which the lists of integrals of the flow are complete.
     pub flow_degree: u32,
-    /// The number of flow integrals that the map preserves unchanged.
+    /// The number of listed integrals of the flow that are also integrals of the map.
     pub kept: usize,
     /// The matrices K with f = K∇H that were found, ordered by the length of the modified
     /// Hamiltonian.
@@ -96,7 +96,7 @@ pub struct HamiltonianReport {
     pub modified_is_proved: bool,
     /// Whether (I − ε² f′²)K is proved to be an invariant Poisson bracket of the field f.
     pub bracket_is_proved: bool,
-    /// The form in which the modified Hamiltonian is given.
+    /// Whether the report gives the modified Hamiltonian, and instead of which formula.
     pub place: ModifiedPlace,
     pub(crate) found: Hamiltonian,
     pub(crate) symbols: Symbols,
@@ -130,7 +130,7 @@ pub enum ModifiedPlace {
 /// The reason why the search for integrals ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// Orbits show the maximal number of integrals: one more would make every orbit finite.
+    /// The number of integrals is the largest possible: with one more, every orbit is finite.
     Orbits,
     /// The number of integrals is the upper bound of the [`IntegralBound`].
     Ceiling,
@@ -175,8 +175,8 @@ impl Bound {
         linear: Option<usize>,
         by_drifts: usize,
     ) -> Option<Self> {
-        // With n independent integrals all orbits have a period N. At generic ε this is impossible,
-        // because iterate N is x + 2Nε f(x) + O(ε²).
+        // If all orbits have a common period N, there are n independent integrals. At generic ε
+        // this is impossible, because iterate N is x + 2Nε f(x) + O(ε²).
         let most = if hilbert.period.is_some() { n } else { n - 1 };
         if known >= most {
             return Some(Bound::Orbits);
@@ -215,7 +215,7 @@ pub struct Report {
     pub independent: usize,
     /// The upper bound on the number of integrals that follows from fixed points of the map.
     pub ceiling: Option<IntegralBound>,
-    /// The reason why the search for integrals ended.
+    /// The bound or limit at which the search for integrals ended.
     pub bound: Bound,
     /// Proved, independent integrals of the map.
     pub integrals: Vec<Formula>,
@@ -232,7 +232,7 @@ pub struct Report {
     pub drifts: Vec<Drift>,
     /// The result of the search for densities 1/P.
     pub density_search: DensitySearch,
-    /// The name of the density that the system's block claims without a `when` clause.
+    /// The name of a density that the `kahan!` block of the system claims unconditionally.
     pub own_density: Option<String>,
     /// The structure of the field.
     pub structure: StructureReport,
@@ -296,8 +296,8 @@ pub enum DiscoverError {
     ZeroStep,
     /// The matrix I − ε f′ is singular everywhere at the given values, so no map exists.
     NoMap,
-    /// The matrix I + ε f′ is singular everywhere at the given values, so the map sends the whole
-    /// space to a lower dimension.
+    /// The matrix I + ε f′ is singular everywhere at the given values, so the image of the map has
+    /// a lower dimension than the space.
     Collapse,
     /// The field has this number of variables, which is more than a search accepts.
     TooManyVariables(usize),
@@ -305,7 +305,6 @@ pub enum DiscoverError {
     TooLong,
 }
 
-/// The most variables of a field. For this number the first elimination takes seconds.
 pub(crate) const MOST_VARIABLES: usize = 500;
 
 impl fmt::Display for DiscoverError {

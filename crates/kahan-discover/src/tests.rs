@@ -1,4 +1,4 @@
-//! Helpers of tests: functions of claims, compiled formulas modulo a prime, and a watch.
+//! Helpers of tests: claims by name, their functions, a prime field, and a counting watch.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -110,8 +110,8 @@ fn brackets_with_constants_are_short() {
     );
 }
 
-/// In a complex system (Petrera and Suris 2017), the real and the imaginary part of the Hamiltonian
-/// each have a matrix K.
+/// A complex Hamiltonian (Petrera and Suris 2017) has the real part H₁ and the imaginary part H₂.
+/// Its field is K₁∇H₁ and also K₂∇H₂.
 #[test]
 fn each_constant_k_has_an_integral() {
     let weierstrass = "xdot = y; udot = v; ydot = 6*x^2 - 6*u^2 - a; vdot = 12*x*u - b;";

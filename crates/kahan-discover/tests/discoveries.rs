@@ -412,8 +412,8 @@ fn ten_parameters_have_formulas_of_one_line() {
     );
 }
 
-/// The field is a linear factor times the field of a quadratic Hamiltonian. For its integral P/Q,
-/// one P + cQ does not contain ε, and another one is a product of two linear polynomials.
+/// The field is a linear factor times the field of a quadratic Hamiltonian. It has an integral P/Q.
+/// One sum P + cQ does not contain ε, and another such sum is a product of two linear polynomials.
 #[test]
 fn a_pencil_is_given_by_its_members_that_fall_apart() {
     let linear = "xdot = (p*x + q*y + r)*(b*x + 2*c*y + e); ydot = -(p*x + q*y + r)*(2*a*x + b*y + d);";
@@ -428,7 +428,7 @@ fn a_pencil_is_given_by_its_members_that_fall_apart() {
     assert_eq!(found.densities[0].text, format!("density rho = 1/(({poles})*(r + p*x + q*y));"));
 }
 
-/// Tests Zander's field with exponents (1, 1, 2).
+/// Tests Zander's field of three linear forms with the exponents 1, 1 and 2.
 #[test]
 fn six_symbols_have_an_integral_in_linear_factors() {
     let zander = "xdot = b1*(a2*x + b2*y)*(a3*x + b3*y) + b2*(a1*x + b1*y)*(a3*x + b3*y) \

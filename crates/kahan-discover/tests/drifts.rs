@@ -34,7 +34,7 @@ fn drifts_are_found_where_they_are_known() {
         ),
         ("xdot = x^2 - y^2; ydot = 2*x*y;", &["drift F1 = x/(x^2 + y^2) by F1 - 2*eps;"]),
         ("xdot = 0; ydot = x*y;", &["drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);"]),
-        // The remaining fields have no drifts. They have, in order, two, one and no integrals.
+        // The last three fields have no drifts, although the first two of them have integrals.
         ("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;", &[]),
         ("xdot = y; ydot = 6*x^2 - a;", &[]),
         ("xdot = x*(1 - y); ydot = y*(x - 1);", &[]),
@@ -46,7 +46,7 @@ fn drifts_are_found_where_they_are_known() {
 
 #[test]
 fn first_order_recurrences_are_found() {
-    // For E8 and E7, the drifts are the recurrences of section 6 of the paper.
+    // For E8 and E7, the drifts are the recurrences in section 6 of Hone and Petrera.
     let e8 = "xdot = -x^2; ydot = -x*(x + y); zdot = 2*y*(x + y) + x*z;";
     let of_e8 = [
         "drift F1 = 1/x by F1 + 2*eps;",

@@ -1,11 +1,11 @@
 //! Fields with coefficients that depend on ε, whose maps have an integral. If the coefficients are
 //! replaced by their values at ε = 0, the maps have none.
 //!
-//! At ε = 0 the first field is the Hamiltonian field of x y z² times 1/z, and the second is that of
-//! x y² z³ times 1/(y z²), with z = 1 + x + y. They are inhomogeneous reduced Nahm systems of
-//! octahedral and icosahedral symmetry. The maps contract three lines, whose images reach points of
-//! indeterminacy after 4, 4, 2 and 6, 3, 2 steps. Source of the method: Schmalian, Suris and
-//! Tumarkin, "How one can repair non-integrable Kahan discretizations. II" (2021).
+//! Let z = 1 + x + y. At ε = 0 the first field is 1/z times the Hamiltonian field of xyz². The
+//! second field is 1/(yz²) times the Hamiltonian field of xy²z³. They are inhomogeneous reduced
+//! Nahm systems of octahedral and icosahedral symmetry. The maps contract three lines, whose images
+//! reach points of indeterminacy after 4, 4, 2 and 6, 3, 2 steps. Source of the method: Schmalian,
+//! Suris and Tumarkin, "How one can repair non-integrable Kahan discretizations. II" (2021).
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Options, Report, Unwatched, discover};
@@ -78,8 +78,8 @@ fn the_repaired_map_of_degree_6_has_its_integral_found() {
     );
 }
 
-/// The eigenvalues λ₁ = 2/(1 + ε²) and λ₂ = 1 of the field have different squares, but the
-/// eigenvalues μᵢ = (1 + ελᵢ)/(1 − ελᵢ) of the map satisfy μ₁ = μ₂², because λ₁ depends on ε.
+/// The field's eigenvalues λ₁ = 2/(1 + ε²) and λ₂ = 1 have different squares. Still, an integral
+/// exists, because the map's eigenvalues μᵢ = (1 + ελᵢ)/(1 − ελᵢ) satisfy μ₁ = μ₂².
 #[test]
 fn eigenvalues_that_depend_on_eps_are_no_bound() {
     let report = found("xdot = 2*x/(1 + eps^2); ydot = y;", None);

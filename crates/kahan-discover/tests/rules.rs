@@ -12,7 +12,7 @@ fn lines(report: &Report) -> Vec<&str> {
     report.integrals.iter().map(|formula| formula.text.as_str()).collect()
 }
 
-/// Checks the integrals up to degree 2. The first `at_once` must be found in `FIRST_STAGE`.
+/// Checks the integrals up to degree 2. `FIRST_STAGE` must find the first `at_once` of them.
 fn check(text: &str, options: Options, at_once: usize, expected: &[&str]) {
     let options = Options { degree: Some(2), iterates: 4, seconds: 3600.0, ..options };
     let report = discover(&system(text), &options, &Recording::default()).expect("there is a map");

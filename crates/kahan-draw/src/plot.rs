@@ -44,7 +44,7 @@ pub enum Mark {
     Thin,
     /// A broad pale line, drawn below others.
     Band,
-    /// A dashed line, for comparison.
+    /// A dashed line that marks a constant value.
     Level,
     /// Dots.
     Dots,
@@ -284,7 +284,7 @@ impl Frame {
         )
     }
 
-    /// Returns the vertical range into which the name of a vertical axis must fit.
+    /// Returns the top and the bottom of the space for the name of the vertical axis.
     fn height(&self) -> [f64; 2] {
         [self.top - TOP, self.bottom + BOTTOM / 2.0]
     }

@@ -1,7 +1,7 @@
 //! Finds the cheapest scalar, order and ε for several tolerances.
 //!
 //! A `Scene` is a time span with a tolerance. The errors of settings are measured over the whole
-//! span. The choice uses no clock, so it is reproducible. A setting prints as a line of Rust.
+//! span. Costs are modelled, so the choice is reproducible. A setting prints as a line of Rust.
 
 use kahan_core::prelude::*;
 use kahan_dynamics::Scene;

@@ -24,8 +24,6 @@ fn comes_back<T>(value: &T)
 where
     T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Debug,
 {
-    // With the feature `arbitrary_precision`, the JSON value in `read` keeps all digits of a
-    // number.
     let text = to_string(value).unwrap();
     assert_eq!(read::<T>(&text), *value, "{text}");
 }

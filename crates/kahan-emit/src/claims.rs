@@ -17,8 +17,8 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims. A type without integrals or without a density implements a
-/// marker trait, so that rustc can explain the error in code that uses them.
+/// Emits the accessors of all claims. A marker trait says that a type has no integrals or no
+/// density. With this trait, rustc explains errors about missing accessors.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);

@@ -157,7 +157,7 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
     }
 }
 
-/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`, the unrolled elimination.
+/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`, which solves (I − εf′)v = f without loops.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, _] = table_sizes(context, couplings);
@@ -193,7 +193,7 @@ fn entry_identifier(place: usize) -> Ident {
     format_ident!("__a{place}")
 }
 
-/// Emits the entries of A = I − εf′. Returns which entries of the LU factors are present in A.
+/// Emits the entries of A = I − εf′. Tells for each entry of L and U whether A has it, too.
 fn emit_matrix_entries(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     let mut is_there = vec![false; couplings.columns.len()];
     let mut lines = TokenStream::new();

@@ -130,7 +130,7 @@ fn claim_with_conditions(context: &Context<'_>, claim: &Claim) -> String {
     if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
-/// If steps are accurate only for norms ‖ε f′‖∞ ≤ `holds_to`, writes a paragraph about this limit.
+/// Writes a paragraph if steps are accurate only up to the norm ‖ε f′‖∞ = `holds_to`.
 fn step_size_note(who: &str, holds_to: u32) -> Vec<String> {
     if holds_to == LARGEST_SIZE {
         return Vec::new();

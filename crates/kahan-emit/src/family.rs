@@ -26,7 +26,7 @@ struct Context<'a> {
     family: &'a Family,
     lines: Lines,
     this: Type<'a>,
-    /// The scalar type in which plans are evaluated. The parameters may have another type.
+    /// The name of the scalar type of emitted functions. The parameters may have another type.
     line_scalar: Ident,
 }
 
@@ -173,7 +173,7 @@ impl Context<'_> {
         })
     }
 
-    /// Expands to a function that stores the results of a plan in slices, at `results_at`:
+    /// Expands to a function that evaluates a plan, and stores the results in slices:
     /// `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);

@@ -108,8 +108,8 @@ impl PostfixWriter<'_> {
         self.steps.extend(quote!(#step,));
     }
 
-    /// Writes the operand that needs more stack first. Returns the name of the operation:
-    /// `names[1]` if the operands were exchanged, and `names[0]` otherwise.
+    /// Writes both operands, and begins with the one that needs more stack. Returns `names[1]` if
+    /// this exchanges them, and `names[0]` otherwise.
     fn binary(&mut self, a: PostfixOperand, b: PostfixOperand, names: [&str; 2]) -> TokenStream {
         let is_exchanged = self.depth(b) > self.depth(a);
         let [first, second] = if is_exchanged { [b, a] } else { [a, b] };

@@ -46,7 +46,7 @@ pub(super) fn emit_bound_parameters(
     given.filter(|(variable, _)| inputs.binary_search(variable).is_ok()).map(binds).collect()
 }
 
-/// Binds all states first, because code that reads them at their first use is vectorised worse.
+/// Binds all states at the start, because code that binds each at its first use vectorises worse.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()

@@ -114,7 +114,7 @@ fn read_block(input: &FlatTokens) -> ParsedBlock {
 /// is the source file that contains the literal. A change of the file makes the compiler expand the
 /// block again.
 ///
-/// Mistakes become one `compile_error!` at the literal, with a caret under each position.
+/// Mistakes become one `compile_error!` at the literal, which marks each position with a caret.
 #[must_use]
 pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> Expansion {
     try_include(core, file, beside)
@@ -178,7 +178,7 @@ fn emit(core: &TokenStream, block: ParsedBlock, input: &FlatTokens) -> TokenStre
 }
 
 /// Emits the errors of a block, and a stand-in type whose methods return 0. If the states are
-/// unknown, the type has no methods, and a block without a header has no type.
+/// unknown, the type has no methods, or is omitted if the block has no header.
 fn emit_broken(
     core: &TokenStream,
     broken: &Broken,
@@ -274,7 +274,7 @@ fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     diagnostics
         .iter()
         .map(|diagnostic| {
-            // syn marks all tokens from the first to the last, so the error needs only these two.
+            // syn marks all tokens from the first to the last, so the error needs only two spans.
             let first = Ident::new("first", at(diagnostic.span.first));
             let last = Ident::new("last", at(diagnostic.span.last));
             syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error()

@@ -38,7 +38,7 @@ pub(super) struct Lifted {
 pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     let mut mistakes = Diagnostics::default();
     let block = parse_lifted(tokens, &mut mistakes);
-    // `lift` reports the same mistakes, so they are dropped here.
+    // The function `lift` reports these mistakes, too, so they are dropped here.
     drop(mistakes.finish());
     let place = block.header.as_ref().map_or(block.lift, |header| Some(header.name.span));
     let place = place.unwrap_or(Span::token(0));
@@ -152,8 +152,8 @@ fn with_proved_claims(system: System, lift: &Lift, tokens: &[Token]) -> Checked 
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Tests in floats whether an unproved integral is constant where the relations of the lift hold. A
-/// step from there may change it at most 1e-9 times as much as a step from elsewhere.
+/// Tests in floats whether an unproved integral is constant where the relations of the lift hold.
+/// Steps from other points must change it at least 10⁹ times as much.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -176,7 +176,7 @@ fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
         Some((value(&next)? - value(&point.state)?).abs()).filter(|change| change.is_finite())
     };
     let changes = (1..=6).filter_map(|place| {
-        // The values are between 0.3 and 0.8, where logarithms and similar functions are defined.
+        // States and parameters are between 0.3 and 0.8, where logarithms and similar are defined.
         let spread = |index: usize| 0.3 + ((7 + place) * (3 + index) % 11) as f64 / 20.0;
         let states: Vec<f64> = (0..lift.states.len()).map(spread).collect();
         let parameters: Vec<f64> = (0..lift.parameters.len()).map(|k| spread(k + states.len())).collect();

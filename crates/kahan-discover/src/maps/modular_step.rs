@@ -15,8 +15,8 @@ pub trait ModularStep {
     /// Returns the image of a point, or `None` at a pole.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
 
-    /// Returns generators of the sign changes of states that map orbits to orbits, as bit sets of
-    /// states.
+    /// Returns generators of a group of sign changes that map every orbit to an orbit. Each
+    /// generator is the bit set of the states whose signs change.
     fn sign_changes(&self) -> Vec<u64> {
         Vec::new()
     }

@@ -150,8 +150,8 @@ impl SearchField {
         self.sample(Modulus::mersenne_61(), random)?.step(random)
     }
 
-    /// Tells whether det ∂x̃/∂x ≠ 0 at one of three random points. With a fixed ε, a map may send
-    /// the whole space to a lower dimension.
+    /// Tells whether det ∂x̃/∂x ≠ 0 at one of three random points. At a fixed ε, the determinant
+    /// may vanish everywhere.
     pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {
         (0..3).any(|_| {
             self.sample(Modulus::mersenne_61(), random).is_some_and(|sample| {

@@ -65,7 +65,7 @@ impl MonomialSupport {
     }
 }
 
-/// Returns the small rational number with these residues, by the Chinese remainder theorem.
+/// Finds a rational number from pairs (prime, residue), by the Chinese remainder theorem.
 fn rational_from_residues(residues: impl Iterator<Item = (u64, u64)>) -> Option<Rational> {
     let (mut value, mut product) = (BigInt::from(0), BigInt::from(1));
     for (prime, residue) in residues {

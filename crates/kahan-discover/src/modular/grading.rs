@@ -1,7 +1,7 @@
 //! Rational reconstruction that uses scaling symmetries of the map.
 //!
-//! Each unknown has a weight, with one number for each symmetry. Unknowns with linearly independent
-//! weights are set to 1. The weight of a term then determines their powers in the term.
+//! Each unknown has a weight, with one number for each symmetry. Scaling sets some unknowns with
+//! independent weights to 1. The weight of a term determines the powers of these unknowns.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -23,7 +23,7 @@ pub struct Grading {
 }
 
 impl Grading {
-    /// Chooses unknowns with independent weights, the last ones first. They can be scaled to 1.
+    /// Chooses a largest set of unknowns with independent weights, and prefers later unknowns.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {

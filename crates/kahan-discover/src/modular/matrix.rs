@@ -1,8 +1,8 @@
 //! Matrices modulo a prime, with reduced row echelon form, rank and null space.
 //!
-//! Rows are equations, and columns are unknowns. A column becomes a pivot if it is no linear
-//! combination of earlier columns. If columns are monomials in ascending order, every null vector
-//! expresses one monomial by lower monomials.
+//! Rows are equations, and columns are unknowns. A column becomes a pivot if it is not a linear
+//! combination of earlier columns. If columns are monomials in ascending order, each null vector
+//! expresses its highest monomial by lower ones.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
@@ -122,7 +122,7 @@ fn back_substituted(
     deadline: &Deadline<'_>,
 ) -> Option<()> {
     let free: Vec<usize> = (0..columns).filter(|column| pivots.binary_search(column).is_err()).collect();
-    // The entries of cleared rows in columns without a pivot, from the last row to the first.
+    // The entries of all finished rows in columns without a pivot. The last row comes first.
     let mut tails: Vec<Vec<u64>> = Vec::with_capacity(rows.len());
     for (row, pivot) in rows.iter_mut().zip(pivots).rev() {
         if deadline.passed() {
@@ -154,8 +154,8 @@ impl Sums {
         Sums { sums: row.into_iter().map(Modulus::unreduced).collect(), products: 0 }
     }
 
-    /// Adds `factor` times `row`, from column `from` on. Later calls must not have a smaller
-    /// `from`.
+    /// Adds `factor` times `row` to the columns from `from` on. Earlier columns are not reduced, so
+    /// later calls must not have a smaller `from`.
     fn add_multiple(&mut self, modulus: &Modulus, factor: u64, from: usize, row: &[u64]) {
         if factor == 0 {
             return;
@@ -180,7 +180,7 @@ impl Sums {
 /// The number of equations in a linear system beyond the number of unknowns.
 pub(crate) const SPARE_EQUATIONS: usize = 6;
 
-/// Returns a basis of the null space of the matrix whose rows `row` returns one by one.
+/// Returns a basis of the null space of a matrix. Each call of `row` returns one row of the matrix.
 pub(crate) fn sampled_null_vectors(
     modulus: &Modulus,
     columns: usize,

@@ -47,7 +47,7 @@ impl Modulus {
         Modulus { plain, prime, negated_inverse: inverse.wrapping_neg(), one, square }
     }
 
-    /// Returns the field whose elements are ordinary residues.
+    /// Returns the field with the same prime, with elements as ordinary residues.
     pub(crate) fn field(&self) -> PrimeField {
         self.plain
     }
@@ -93,7 +93,7 @@ impl Modulus {
         if quotient >= self.prime { quotient - self.prime } else { quotient }
     }
 
-    /// Returns s/2⁶⁴ modulo p for s = `sum` ≤ 2¹²⁸ − 2⁶⁴p. The result is below s/2⁶⁴ + p.
+    /// Returns a number below s/2⁶⁴ + p that is s/2⁶⁴ modulo p, for s = `sum` ≤ 2¹²⁸ − 2⁶⁴p.
     #[inline]
     fn quotient(&self, sum: u128) -> u64 {
         let multiple = (sum as u64).wrapping_mul(self.negated_inverse);
@@ -105,7 +105,7 @@ impl Modulus {
     /// bits.
     pub(crate) const MAX_UNREDUCED_PRODUCTS: usize = 8;
 
-    /// Starts a sum of products with the term `a`, without reduction modulo p.
+    /// Returns a·2⁶⁴, the first summand of a sum of products.
     #[inline]
     pub(crate) fn unreduced(a: u64) -> u128 {
         u128::from(a) << 64

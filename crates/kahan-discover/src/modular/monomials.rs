@@ -2,7 +2,7 @@
 
 use crate::modular::modulus::Modulus;
 
-/// The monomials of n variables, by degree, then lexicographically with the last variable lowest.
+/// The monomials of n variables, ascending by degree, then lexicographically with x₁ > … > xₙ.
 #[derive(Clone, Debug)]
 pub struct Monomials {
     variables: usize,
@@ -28,8 +28,8 @@ impl Monomials {
             for variable in (0..variables).rev() {
                 let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
                 for earlier in begin..end {
-                    // A monomial is multiplied only by variables up to its first variable, so that
-                    // each product occurs once.
+                    // Each product is made once: by multiplication with its variable of lowest
+                    // index.
                     if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
                         let mut exponents = monomials.exponents[earlier].clone();
                         exponents[variable] += 1;

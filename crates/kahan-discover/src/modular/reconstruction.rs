@@ -26,13 +26,13 @@ const MOST_ON_LINE: usize = 48;
 
 const MOST_PRIMES: usize = 24;
 
-/// The most decimal digits of a numerator or denominator. Each prime has 60 bits, a numerator gets
-/// half of the bits of all primes, and log₁₀ 2 is 0.301.
+/// The most decimal digits of a numerator or denominator. Each prime exceeds 2⁶⁰, and a numerator
+/// gets half of the bits of all primes. The factor 0.301 is log₁₀ 2.
 pub(crate) const MOST_DIGITS: usize = MOST_PRIMES * 60 * 301 / 2000;
 
 const MOST_SAMPLES: usize = 8;
 
-/// Reconstructs the oracle's functions over ℚ. The unknown with index k becomes `variables[k]`.
+/// Reconstructs the oracle's functions over ℚ. In the results, unknown k is `variables[k]`.
 ///
 /// Returns `None` if degrees or coefficients are too large, the deadline passes, or the functions
 /// are not rational. If each function has at most m coefficients, each prime needs m + 4 calls of

@@ -19,7 +19,7 @@ use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::reconstruct;
 use crate::modular::weights::Weights;
 
-/// The form of a basis: the monomials that occur, and the leading monomial of each element.
+/// The monomials that occur in a basis, and the leading monomial of each element.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Form {
     /// The indices of the monomials that occur, in ascending or descending order.
@@ -75,7 +75,7 @@ impl PolynomialSpace {
         self.rows.len()
     }
 
-    /// Returns the coefficients of a basis element on all `count` monomials.
+    /// Returns a basis element as the vector of the coefficients of all `count` monomials.
     #[must_use]
     pub fn element(&self, index: usize, count: usize) -> Vec<u64> {
         spread_to_monomials(&self.form.support, &self.rows[index], count)
@@ -104,11 +104,11 @@ pub(crate) fn spread_to_monomials<'a>(
 /// The variables that occur in formulas for a space of polynomials.
 #[derive(Clone, Debug)]
 pub struct FormulaVariables {
-    /// The parameters, ε, and further unknowns on which the space depends.
+    /// The unknowns of the space: parameters, ε, and constants that define a level set.
     pub unknowns: Vec<Variable>,
     /// The states that the monomials contain.
     pub states: Vec<Variable>,
-    /// The scaling symmetries, and the weights of the unknowns under them, if known.
+    /// The scaling symmetries, and for each unknown its weights under them, if known.
     pub weights: Option<(Weights, Vec<Vec<Rational>>)>,
 }
 
@@ -150,8 +150,8 @@ impl FormulaVariables {
 }
 
 /// Reconstructs the basis of a space over ℚ, as polynomials with coprime integer coefficients. The
-/// function `at` returns the space at values of the unknowns. Returns `None` if the monomials of
-/// this space are not those of `form`, or if [`reconstruct`] fails.
+/// function `at` returns the space at values of the unknowns. Returns `None` if this space has
+/// other monomials than `form`, or if [`reconstruct`] fails.
 pub fn reconstruct_space(
     names: &FormulaVariables,
     monomials: &Monomials,

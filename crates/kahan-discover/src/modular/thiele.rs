@@ -1,14 +1,14 @@
 //! Finds the degree of a rational function of one variable from values of the function.
 //!
-//! Thiele's continued fraction v₀ + (t − t₀)/(v₁ + (t − t₁)/(v₂ + …)) of a rational function is
-//! finite. If it ends with the coefficient of index L, the degree is ⌈L/2⌉. Further points verify
-//! the result.
+//! Let the values be given at points tᵢ. Thiele's continued fraction v₀ + (t − t₀)/(v₁ + (t −
+//! t₁)/(v₂ + …)) of a rational function is finite. If its last coefficient is v_L, the degree is
+//! ⌈L/2⌉. Further points verify the result.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
 
-/// The number of points that must agree with the continued fraction beyond those that determine it.
-/// A wrong degree passes with a probability below (degree/p)⁴.
+/// The number of points that check the continued fraction after its computation. They miss a wrong
+/// degree with a probability below (degree/p)⁴ for the prime p.
 pub(crate) const SPARE_POINTS: usize = 4;
 
 /// Returns max(deg P, deg Q) of the function P/Q in lowest terms with `values` at distinct
@@ -27,7 +27,7 @@ pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Dead
         if differences.iter().all(|&difference| difference == 0) {
             return Some(usize::div_ceil(level, 2));
         }
-        // Drops points at which the next inverted difference would divide by 0.
+        // Drops points with difference 0, because the next step divides by the differences.
         let mut kept = differences.iter().map(|&difference| difference != 0);
         points.retain(|_| kept.next().expect("one for each point"));
         differences.retain(|&difference| difference != 0);

@@ -35,7 +35,7 @@ impl Weights {
             let Some(divisor) = divisors.next() else { continue };
             equations.extend(divisors.map(|other| difference(&other, &divisor)));
             for (monomial, _) in component.numerator().terms() {
-                // The weight of ε·monomial/divisor must equal the weight of the state xᵢ.
+                // The term ε·monomial/divisor of ε ẋᵢ must have the weight of xᵢ.
                 let mut row = difference(&exponents(monomial), &divisor);
                 row[count - 1] = &row[count - 1] + &Rational::one();
                 row[i] = &row[i] - &Rational::one();
@@ -92,7 +92,8 @@ pub(crate) fn weight_of<'a>(
     Some(sum)
 }
 
-/// Computes the reduced echelon form in place. Returns the pivot columns among the first `columns`.
+/// Computes the reduced echelon form in place, with pivots only in the first `columns` columns.
+/// Returns the pivot columns.
 pub(crate) fn reduce(rows: &mut [Vec<Rational>], columns: usize) -> Vec<usize> {
     let mut pivots = Vec::new();
     for column in 0..columns {

@@ -18,8 +18,8 @@ use crate::orbits::growth::{Growth, GrowthVerdict};
 pub struct DegreeLimits<'a> {
     /// The number of iterates to compute.
     pub iterates: usize,
-    /// No iterate is computed after one whose degree is greater than this. Up to the fifth iterate,
-    /// four times this degree is allowed while the kind of growth is undecided.
+    /// The computation ends with the first iterate whose degree exceeds this. For the first four
+    /// iterates, the limit is four times as high while the growth of degrees is undecided.
     pub degree: usize,
     /// The deadline of the computation.
     pub deadline: &'a Deadline<'a>,
@@ -73,7 +73,7 @@ struct RandomLine<'a> {
     map: &'a ModularMap,
     base: Vec<u64>,
     direction: Vec<u64>,
-    /// The coefficient c of the Möbius parameter t/(1 + ct).
+    /// The coefficient c of t/(1 + ct), the position on the line of the sample with parameter t.
     bend: u64,
     weights: Vec<u64>,
     samples: Vec<Sample>,

@@ -13,7 +13,7 @@ pub enum Growth {
     Linear,
     /// The degrees grow like n². The map is integrable on curves of genus 1 or on abelian surfaces.
     Quadratic,
-    /// The degrees grow like eⁿ·ˢ. The map is not integrable.
+    /// The degrees grow like exp(sn) with s > 0. The map is not integrable.
     Exponential {
         /// The algebraic entropy s: the logarithm of the ratio of successive degrees.
         entropy: f64,
@@ -72,9 +72,9 @@ impl GrowthVerdict {
     ///    are constant. Growth is bounded if the constant is 0 and k = 1. If k > 1, a pattern of
     ///    degrees repeats.
     /// 2. *Quadratic*: the second differences over k steps are constant as in rule 1.
-    /// 3. *Exponential*: the last four ratios dₙ₊₁/dₙ exceed 1.15. The last ratio differs by at
-    ///    most 8 % from the ratio two steps before. The last ratio minus 1 is at least two thirds
-    ///    of the middle ratio minus 1. For powers dₙ = nᵐ, their quotient is about 1/2.
+    /// 3. *Exponential*: the last four ratios dₙ₊₁/dₙ exceed 1.15. The last ratio r differs by at
+    ///    most 8 % from the ratio two steps before. For the ratio s in the middle of the list,
+    ///    r − 1 ≥ ⅔ (s − 1). For powers dₙ = nᵐ, the quotient (r − 1)/(s − 1) is about 1/2.
     /// 4. *Undecided*: no other rule applies.
     #[must_use]
     pub fn of(degrees: &[usize]) -> Self {

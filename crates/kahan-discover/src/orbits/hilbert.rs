@@ -17,8 +17,8 @@ pub struct Hilbert {
     pub values: Vec<usize>,
     /// The numbers of all monomials of degree ≤ 1, ≤ 2, …, which bound h.
     pub full: Vec<usize>,
-    /// The number of independent algebraic integrals visible up to this degree: the codimension of
-    /// the variety that the relations define.
+    /// The number of independent algebraic integrals that orbits show: the codimension of the
+    /// variety that all relations found define.
     pub integrals: usize,
     /// The least degree of a relation, if one was observed.
     pub relation_degree: Option<u32>,
@@ -32,10 +32,10 @@ pub struct Hilbert {
     pub agree: bool,
 }
 
-/// Up to the default degree of relations, there are at most this many monomials.
+/// The default degree of relations is the highest with at most this many monomials.
 const MOST_MONOMIALS: usize = 220;
 
-/// The most monomials at degree 2. This limit makes 2 the default degree up to 40 variables.
+/// The most monomials of degree ≤ 2 for a default degree of 2. In 40 variables there are 861.
 const MOST_QUADRATIC_MONOMIALS: usize = 900;
 
 const HIGHEST_DEGREE: u32 = 10;
@@ -108,8 +108,8 @@ impl Hilbert {
     }
 
     /// Follows one orbit up to a higher degree. If this orbit shows more integrals than `self`,
-    /// follows all four orbits. An orbit never shows fewer integrals than a generic orbit. Returns
-    /// `None` as [`of`](Self::of) does.
+    /// calls [`of`](Self::of) to confirm them with several orbits. Returns `None` in the cases of
+    /// [`of`](Self::of).
     pub fn further(
         &self,
         searched: &SearchField,
@@ -146,8 +146,8 @@ impl Hilbert {
         }
     }
 
-    /// Combines the results of two orbits. If their ranks differ, the larger ranks are kept,
-    /// because no orbit exceeds the generic rank.
+    /// Combines the results of two orbits. The larger ranks are kept, because no orbit has larger
+    /// ranks than a generic one.
     fn with(mut self, other: Hilbert) -> Self {
         self.agree &= self.values == other.values && self.integrals == other.integrals;
         if other.values > self.values {

@@ -23,8 +23,8 @@ pub struct IntegralBound {
     pub parameters: Vec<u64>,
 }
 
-/// All primes are 3 modulo 4, so √a is a power of a, up to its sign. Zeros are more frequent modulo
-/// a small prime. Modulo a large prime, fewer eigenvalues are equal by chance.
+/// Each prime p is 3 modulo 4, so the square roots of a are ±a^((p+1)/4). The field has zeros more
+/// often modulo a small prime. Modulo a large prime, fewer eigenvalues are equal by chance.
 const PRIMES: [u64; 6] = [1_000_003, 7, 31, 11, 103, 19];
 
 /// The most variables of a field. The eigenvalues cost n⁴ multiplications for n variables.
@@ -51,12 +51,12 @@ const TRIALS_A_SAMPLE: usize = 40;
 /// eigenvalues μ = (1 + ελ)/(1 − ελ) for the eigenvalues λ of L. Suppose that k independent
 /// rational integrals exist. Their lowest terms at x₀ give k independent rational functions that
 /// the Jacobian preserves (Ziglin's lemma). The diagonal part of the Jacobian preserves these
-/// functions, too. So k ≤ n − s if s of the μ are multiplicatively independent. As a function of ε,
-/// μ has the zero −1/λ and the pole 1/λ, so s is the number of different λ² ≠ 0.
+/// functions, too. So k ≤ n − s if s of the μ are multiplicatively independent. In ε, μ has the
+/// zero −1/λ and the pole 1/λ. Only λ and −λ share them, so s counts the different λ² ≠ 0.
 ///
-/// The argument holds over every field of characteristic ≠ 2. Integrals over ℚ(ε) remain
-/// independent in the map modulo a prime (Ziglin's lemma for the valuation). One zero modulo one
-/// prime is therefore a proof.
+/// The argument holds over every field of characteristic ≠ 2. If k independent integrals over ℚ(ε)
+/// exist, k also exist for the map modulo a prime (Ziglin's lemma for the valuation). One zero
+/// modulo one prime is therefore a proof.
 pub fn integral_bound(
     searched: &SearchField,
     enough: usize,
@@ -72,7 +72,7 @@ pub fn integral_bound(
     let trials = trials.min(MAX_PRODUCTS / (n * n * n).max(1));
     for sample in 0..trials / TRIALS_A_SAMPLE {
         let prime = PRIMES[sample % PRIMES.len()];
-        // An m-fold root is an (m − 1)-fold root of the derivative if the prime is above m.
+        // Multiple eigenvalues are found by a derivative modulo the prime, which must exceed n.
         if prime <= n as u64 {
             continue;
         }
@@ -211,7 +211,7 @@ fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
     coefficients[n] = modulus.one();
     let mut auxiliary = vec![vec![0; n]; n];
     for k in 1..=n {
-        // The recursion is Mₖ = M Mₖ₋₁ + cₙ₋ₖ₊₁, cₙ₋ₖ = −tr(M Mₖ)/k for the coefficients cₖ of tᵏ.
+        // Mₖ = M Mₖ₋₁ + cₙ₋ₖ₊₁ I and cₙ₋ₖ = −tr(M Mₖ)/k, where cₖ is the coefficient of tᵏ.
         auxiliary = product(modulus, matrix, &auxiliary);
         for (i, row) in auxiliary.iter_mut().enumerate() {
             row[i] = modulus.plus(row[i], coefficients[n - k + 1]);

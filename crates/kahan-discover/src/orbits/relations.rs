@@ -56,8 +56,8 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// Returns the codimension of the variety that the relations define at the start: the rank of
-    /// their gradients there.
+    /// Returns the rank of the gradients of all relations at the first point of the orbit. This is
+    /// the codimension there of the variety that the relations define.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         self.normals(modulus, monomials).len()

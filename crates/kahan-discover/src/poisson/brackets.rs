@@ -32,7 +32,7 @@ const MOST_BRACKETS: usize = 3;
 
 const MOST_CHARACTERS: usize = 2_500;
 
-/// In four dimensions, the most characters of a bracket of rank 2 if one of full rank is known.
+/// The most characters of a bracket of rank 2 in four dimensions, if one of full rank exists.
 const MOST_BESIDE: usize = 400;
 
 /// A proved invariant Poisson bracket.
@@ -58,8 +58,8 @@ pub(crate) struct Brackets {
 /// Proves the brackets of the given tensors, by descending rank and ascending length. Then proves
 /// brackets of rank 2 from the density and n − 2 integrals, the shortest first.
 ///
-/// A bracket has at most 2500 characters. Beside a bracket of full rank, brackets of rank 2 have at
-/// most 400 characters in four dimensions, and are omitted in more dimensions.
+/// A bracket has at most 2500 characters. If one has full rank, brackets of rank 2 have at most 400
+/// characters in four dimensions, and are omitted in more dimensions.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -108,7 +108,7 @@ pub(crate) fn brackets(
     let is_full = proved.first().is_some_and(|bracket| bracket.rank + 1 >= n);
     let is_beside = is_full && n > 3;
     let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
-    // A bracket is about as long as its integrals, so sets with a long integral are skipped.
+    // With `is_beside`, long integrals are not used, because their brackets are as long.
     let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
     let mut found: Vec<String> = Vec::new();
     if let Some(density) = density.filter(|_| !is_full || n <= 4) {
@@ -161,8 +161,8 @@ fn tensor(
     invariant_tensor(symbols, &density, &casimirs?, &mut budget)
 }
 
-/// Divides the tensor of a bracket by common factors that contain no state. The first coefficient
-/// becomes positive.
+/// Divides the tensor of a bracket by common factors that contain no state. Makes the first
+/// coefficient of the first nonzero entry positive.
 fn coprime(
     symbols: &Symbols,
     tensor: &[RationalFunction],

@@ -26,7 +26,7 @@ const MODIFIED_WORK: u64 = 10_000_000;
 
 const MOST_STRUCTURES: usize = 4;
 
-/// For n components of the field, there are n times this many more equations than unknowns.
+/// For n components of the field, a system has 6n more equations than unknowns.
 const SPARE_EQUATIONS: usize = 6;
 
 /// A decomposition f = K∇H with a constant antisymmetric matrix K.
@@ -50,8 +50,8 @@ pub fn is_within_reach(n: usize) -> bool {
 ///
 /// The matrix f′(x)K must be symmetric for all x. The matrices K with this property form a space
 /// with a reduced basis. For each K of the basis, f = K∇H is a linear equation for the coefficients
-/// of a cubic H. If no K of the basis has an H, the sum of the basis is tried. The result is empty
-/// if H has more than 400 coefficients, or if the field is zero.
+/// of a cubic H. If none has a solution, the sum of the basis is tried as K. The result is empty if
+/// H has more than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -273,7 +273,8 @@ impl Hamiltonian {
     ///
     /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε is an integral of the map (Celledoni,
     /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013). Returns `None`
-    /// if I − ε f′ is singular at ε, or if H̃ has more than 1500 terms. A common factor may remain.
+    /// if I − ε f′ is singular for all x, or if H̃ has more than 1500 terms. The fraction may be
+    /// reducible.
     #[must_use]
     pub fn modified(&self, searched: &SearchField, field: &Field) -> Option<(Polynomial, Polynomial)> {
         let symbols = &field.symbols;

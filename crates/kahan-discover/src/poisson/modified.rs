@@ -49,7 +49,7 @@ impl Modified {
     }
 }
 
-/// Adds modified Hamiltonians that are proved and independent. Returns whether each is proved.
+/// Adds to `integrals` the proved and independent ones of `all`. Returns which ones are proved.
 pub(crate) fn add_modified(
     all: &[Modified],
     searched: &SearchField,
@@ -94,8 +94,8 @@ pub(crate) struct Gradients<'a> {
 }
 
 impl Gradients<'_> {
-    /// Decides how each modified Hamiltonian is reported. An independent one is reported on its
-    /// own. Any other one replaces a much longer integral that depends on it, or is omitted.
+    /// Decides how each modified Hamiltonian is reported. An independent one is added to the
+    /// report. A dependent one replaces a much longer integral that it implies, or is omitted.
     pub(crate) fn places(
         &self,
         all: &[Modified],
@@ -106,8 +106,8 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // Returns the rank of the gradients of all formulas except formula `but`. If `with_own`
-            // holds, the gradient `own` of the modified Hamiltonian is added.
+            // Returns the rank of the gradients of all formulas except `but`. If `with_own` is
+            // true, the gradient `own` is included.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

@@ -28,8 +28,8 @@ pub fn divergence(field: &Field) -> RationalFunction {
 
 /// Returns whether det(I − t f′(x)) is even in t, at three random points modulo a prime.
 ///
-/// Then dx/det A(x,ε) with A = I − ε f′ is an invariant measure, because det ∂x̃/∂x = det
-/// A(x̃,−ε)/det A(x,ε).
+/// If it is even for all x, dx/det A(x,ε) with A = I − ε f′ is an invariant measure. The reason is
+/// det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
 pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
@@ -48,8 +48,8 @@ const FEW_VARIABLES: usize = 10;
 pub(crate) struct IntegralsByRules {
     /// Integrals that are accepted before the search for other integrals.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
-    /// Integrals that are accepted only after the search of their degree, because this search may
-    /// find integrals with a common denominator instead.
+    /// Integrals that are accepted only after the search for integrals of their degree. That search
+    /// may find equivalent ones with a common denominator.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 

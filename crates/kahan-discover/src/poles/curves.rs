@@ -21,7 +21,7 @@ pub(crate) struct Curves {
 }
 
 impl Curves {
-    /// Lists the curves that the map may send to infinity or contract.
+    /// Returns the map in lowest terms, with the curves that it may send to infinity or contract.
     pub(crate) fn of(field: &Field, searched: &SearchField) -> Option<Self> {
         let symbols = &field.symbols;
         let components = components(field, searched)?;
@@ -44,14 +44,14 @@ pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Po
     components.push(reduced.denominator);
     let mut components: Vec<Polynomial> =
         components.into_iter().map(|component| searched.at_eps(component)).collect();
-    // At special values of ε a common factor may appear.
+    // At special values of ε the components may have a common factor, which is divided out.
     let common = gcd_all(&components);
     components.iter_mut().for_each(|one| *one = one.checked_div(&common).unwrap_or_default());
     Some(components)
 }
 
-/// Returns Dⁿ⁺¹ det ∂x̃/∂x for the map x̃ = N/D, as the determinant of the rows (∂F/∂x₁ … ∂F/∂xₙ,
-/// F) for F = N₁ … Nₙ, D.
+/// Returns Dⁿ⁺¹ det ∂x̃/∂x for the map x̃ = (N₁, …, Nₙ)/D. This is the determinant of the matrix
+/// with a row (∂F/∂x₁, …, ∂F/∂xₙ, F) for F = N₁, …, Nₙ and D.
 pub(crate) fn jacobian(field: &Field, components: &[Polynomial], budget: &mut Budget) -> Option<Polynomial> {
     let row = |component: &Polynomial| {
         let slopes = (0..field.dimension()).map(|i| component.derivative(field.symbols.state(i)));

@@ -1,11 +1,11 @@
 //! Computes the degrees dₙ of iterates from singularity patterns, which need not be confined.
 //!
-//! Let each point of a followed curve B be moved by δ off the curve. After k steps, its image meets
-//! a curve C to the order mₖ(B, C) in δ. In step k, the power δ^sₖ(B) cancels from the homogeneous
-//! coordinates of the image. Let Zₙ(C) count the points of a generic line that reach C at step n
-//! before any other followed curve. Then (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·mₖ(B, C), and dₙ₊₁ =
-//! d·dₙ − Σ Zₙ₊₁₋ₖ(B)·sₖ(B) for a map of degree d, with sums over B and k (Halburd, Proc. R. Soc. A
-//! 473, 2017, for mappings of second order).
+//! Let a point of a followed curve B be moved by δ off B. After k steps, its image meets a curve C
+//! to the order mₖ(B, C) in δ. In step k, the power sₖ(B) of δ cancels from its homogeneous
+//! coordinates. A generic line has Zₙ(C) points that reach C at step n before any other followed
+//! curve. Then (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·mₖ(B, C), and dₙ₊₁ = d·dₙ − Σ Zₙ₊₁₋ₖ(B)·sₖ(B)
+//! for a map of degree d. The sums are over B and k (Halburd, Proc. R. Soc. A 473, 2017, in two
+//! variables).
 
 use super::jet::Image;
 
@@ -27,8 +27,8 @@ pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec
     Some(degrees)
 }
 
-/// Returns the sum of Zₘ(B)·`weight`(image of B after n − m steps) over all curves B and all steps
-/// m < n. Here Zₘ(B) is the number of points that first reach B at step m.
+/// Returns Σ Zₘ(B)·`weight`(image of B after n − m steps) over all curves B and steps m below n. A
+/// generic line has Zₘ(B) points that first reach B at step m.
 fn later(
     first_times: &[Vec<usize>],
     curves: &[(usize, &[Image])],

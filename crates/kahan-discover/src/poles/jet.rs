@@ -32,12 +32,12 @@ pub(crate) struct CurvePoint {
 /// The image of a curve after some steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
-    /// The dimension of the image. A curve has one dimension less than the number of variables.
+    /// The dimension of the image. In n variables, the curve itself has the dimension n − 1.
     pub dimension: usize,
     /// Whether the image lies at infinity.
     pub is_infinite: bool,
-    /// The power of δ that cancelled from all homogeneous coordinates in the last step, where δ is
-    /// the distance of the start from the curve.
+    /// The power of δ that cancelled from all homogeneous coordinates in the last step. The first
+    /// point was moved by δ off the curve.
     pub shared: usize,
     /// For each followed curve, the order in δ to which its polynomial vanishes at this image.
     pub contacts: Vec<usize>,
@@ -59,7 +59,7 @@ pub(crate) struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// Returns the terms of a polynomial in the states, as coefficients modulo the prime and
+    /// Returns for each term of a polynomial in the states its coefficient modulo the prime and its
     /// exponents.
     fn terms(&self, modulus: &Modulus, polynomial: &Polynomial) -> Option<Vec<(u64, Vec<u32>)>> {
         let value = |variable: Variable| match self.symbols.symbol(variable) {
@@ -77,7 +77,7 @@ impl Values<'_> {
 }
 
 impl Homogeneous {
-    /// Makes a map whose homogeneous components have equal degree.
+    /// Makes the numerators and the denominator of a map homogeneous of equal degree.
     pub(crate) fn map(modulus: Modulus, components: &[Polynomial], values: &Values<'_>) -> Option<Self> {
         let degree = components.iter().map(|component| values.symbols.degree(component)).max()?;
         Self::of(modulus, components, values, |_| degree)
@@ -110,8 +110,8 @@ impl Homogeneous {
         Some(Homogeneous { modulus, components, degree: polynomials.iter().map(degree).max().unwrap_or(0) })
     }
 
-    /// Returns the images of the curve after 1, 2, … `steps` steps, from power series of this
-    /// length.
+    /// Returns the images of the curve after 1, 2, … `steps` steps. Power series in δ have `length`
+    /// coefficients.
     pub(crate) fn follow(
         &self,
         place: &CurvePoint,

@@ -1,11 +1,11 @@
 //! Maps at their poles: curves (surfaces in three variables) that are sent to infinity or
 //! contracted.
 //!
-//! A curve is *blown down* if its image has a lower dimension. The singularity is *confined* after
-//! k steps if the image after k steps has full dimension again. Results must agree modulo two
-//! primes at random parameters, ε and points. Confinement alone proves nothing: Hietarinta and
-//! Viallet's map (Phys. Rev. Lett. 81, 1998) confines and is chaotic. The degrees of iterates are
-//! reported, too.
+//! A curve is *blown down* if its image has a lower dimension. This singularity is *confined* after
+//! k steps if the image after k steps is a curve again. Results must agree modulo two primes at
+//! random parameters, ε and points. Confinement alone proves nothing: Hietarinta and Viallet's map
+//! (Phys. Rev. Lett. 81, 1998) has confined singularities and is chaotic. The degrees of iterates
+//! are reported, too.
 
 pub(crate) mod curves;
 mod implied_degrees;
@@ -40,8 +40,8 @@ pub struct Pattern {
     pub images: Vec<Image>,
     /// The number of steps until the image is a curve again, or else the number of steps followed.
     pub steps: usize,
-    /// Whether an image of the curve is a curve again, or `None` if two primes disagree or do not
-    /// decide.
+    /// Whether an image of the curve is a curve again. This is `None` if the results modulo two
+    /// primes differ or are undecided.
     pub confined: Option<bool>,
 }
 
@@ -80,7 +80,7 @@ impl Pattern {
 const SHORTEST: usize = 12;
 const LONGEST: usize = 200;
 
-/// The most samples of a curve, because not every random line meets it.
+/// The most attempts to follow a curve. For example, a random line may have no point on the curve.
 const MOST_SAMPLES: usize = 40;
 
 /// The fraction of the time limit that the degrees of iterates may take.

@@ -48,7 +48,7 @@ impl Series {
         Series { rows }
     }
 
-    /// Divides by δ^power. Returns `None` if a lower coefficient, or a derivative of one, is not 0.
+    /// Divides by δ^power. Returns `None` if the quotient contains a negative power of δ.
     pub(crate) fn divided(mut self, power: usize) -> Option<Series> {
         for row in &mut self.rows {
             if row.drain(..power).any(|coefficient| coefficient != 0) {

@@ -26,7 +26,7 @@ pub struct Proposal {
     pub relation: String,
     /// The number of grid points that satisfy the relation.
     pub points: usize,
-    /// The most frequent degrees and ranks among points of the relation with the fewest integrals.
+    /// The most frequent degrees and ranks at points with the fewest integrals.
     pub sight: DegreesAndRanks,
     /// Proved claims, ready to paste, that hold only under the relation.
     pub claims: Vec<String>,
@@ -53,7 +53,7 @@ pub(super) fn proposals(
     };
     let axes: Option<Vec<Variable>> = scan.names.iter().map(|name| symbols.named(name)).collect();
     let (Some(axes), true) = (axes, scan.names.len() > 1) else { return Vec::new() };
-    // Points with additional integrals are better evidence for a relation, so they come first.
+    // Points with more integrals than generic points are better evidence, so they are used first.
     let mut found = vanishing_polynomials(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
     let others = vanishing_polynomials(&grid(&|sight| *sight != scan.generic), &found);
     found.extend(others);
@@ -70,7 +70,7 @@ pub(super) fn proposals(
     proposals
 }
 
-/// Considers only entries with the fewest integrals, and returns the most frequent one.
+/// Returns the most frequent entry among those with the fewest integrals.
 fn usual_degrees<'a>(sights: impl Iterator<Item = &'a DegreesAndRanks>) -> Option<&'a DegreesAndRanks> {
     let mut counts: HashMap<String, (usize, &DegreesAndRanks)> = HashMap::new();
     for sight in sights {
@@ -142,7 +142,7 @@ impl<'a> RelationProver<'a> {
         formulas.filter_map(|formula| self.claim(formula, relation)).collect()
     }
 
-    /// Restricts the system to the zeros of the polynomial, by a value of ε or of a parameter.
+    /// Restricts the system to the zeros of the polynomial, by solving it for ε or a parameter.
     fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
         // With a fixed degree the search does not continue to higher degrees, so there is time for

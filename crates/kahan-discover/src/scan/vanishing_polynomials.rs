@@ -25,16 +25,16 @@ pub(super) struct Grid {
 pub(super) struct VanishingPolynomial {
     /// The polynomial, whose variable with index k stands for the scanned parameter k.
     pub(super) polynomial: Polynomial,
-    /// The special points at which the polynomial vanishes.
+    /// The indices of the special points at which the polynomial vanishes.
     pub(super) points: Vec<usize>,
 }
 
 /// The number of zeros required beyond the number of coefficients of a polynomial.
 const SPARE_POINTS: usize = 2;
-/// Polynomials are rejected if their zeros are accidental with more than this probability, which is
-/// p^(z − c) for c coefficients, z special zeros and a fraction p of special points.
+/// A polynomial with c coefficients and z zeros at special points is rejected if p^(z − c) exceeds
+/// this. Here p is the fraction of points that are special.
 const MAX_COINCIDENCE_PROBABILITY: f64 = 0.01;
-/// The number of random sets of special points through which linear polynomials are tried.
+/// The number of random sets of special points. For each set, a linear polynomial is tried.
 const POINT_CHOICES: usize = 3000;
 const MOST_NAMES: usize = 4;
 const HIGHEST_DEGREE: u32 = 3;
@@ -59,7 +59,7 @@ struct Search<'a> {
     residues: Vec<Vec<u64>>,
     /// The indices of the parameters with more than one value.
     names: Vec<usize>,
-    /// The special points at which no polynomial found so far vanishes.
+    /// The indices of the special points at which no polynomial found so far vanishes.
     open: Vec<usize>,
     found: Vec<VanishingPolynomial>,
 }

@@ -152,7 +152,7 @@ impl Search<'_> {
         is_independent
     }
 
-    /// Returns the span of all integrals' gradients at `place`, from relations up to `degree`.
+    /// Returns a basis of the gradients at `place` of all relations up to `degree` along its orbit.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);

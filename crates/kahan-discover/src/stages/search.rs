@@ -17,8 +17,7 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, bracket_of_structure, br
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The fraction of the remaining time that a search for formulas may take, if compact forms or
-/// brackets already give the invariants.
+/// The fraction of the remaining time for formulas of invariants that other results already give.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
@@ -31,7 +30,8 @@ pub(super) struct Search<'a> {
     pub(super) proved: &'a [Formula],
     /// Integrals of the flow that the map preserves.
     pub(super) kept: &'a [Polynomial],
-    /// Integrals of the map by theorems, accepted after the search has passed their degree.
+    /// Integrals that follow from theorems. Each is accepted after the search for integrals of its
+    /// degree.
     pub(super) further: &'a [(Polynomial, Polynomial)],
     pub(super) is_even: bool,
     pub(super) place: &'a SampledStep,
@@ -94,8 +94,8 @@ impl Search<'_> {
         until: &Deadline<'_>,
     ) -> Vec<PoissonTensor> {
         let searched = self.searched;
-        // In two and three variables, a density and enough integrals give all brackets. In three,
-        // shorter brackets may exist, so those up to degree 2 are searched nevertheless.
+        // In two and three variables, a density and n − 2 integrals give all brackets. In three,
+        // shorter brackets may exist, so entries up to degree 2 are searched nevertheless.
         let is_said = searched.dimension() < 4 && integrals + 2 >= searched.dimension();
         let highest = if is_said { 2 } else { u32::MAX };
         match before {

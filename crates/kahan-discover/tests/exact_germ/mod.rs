@@ -6,8 +6,8 @@ use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 
-/// Homogeneous coordinates of a point that is moved by δ off a curve. They are polynomials in δ and
-/// the parameters `slopes` of the curve. Their degree in `slopes` is at most 1.
+/// Homogeneous coordinates of a point near a curve, as polynomials. The variable `delta` moves the
+/// point off the curve. The variables `slopes` move it along the curve, and occur linearly.
 pub(crate) struct ExactGerm {
     map: Vec<Polynomial>,
     degree: u32,
@@ -37,7 +37,7 @@ impl ExactGerm {
         let below = at(&curve.derivative(states[solved]), &point).as_constant()?;
         let above = at(&curve.substitute(states[solved], &Rational::zero()), &point).as_constant()?;
         point[solved] = -above.checked_div(&below)?;
-        // The variable of state `solved` stands for δ, the others for the curve's parameters.
+        // The variable of state `solved` stands for δ, the others for displacements on the curve.
         let (delta, slopes): (Variable, Vec<Variable>) =
             (states[solved], (0..n).filter(|&i| i != solved).map(|i| states[i]).collect());
         let value = |polynomial: &Polynomial| {
@@ -103,7 +103,7 @@ impl ExactGerm {
         self.coordinates.iter().map(at_zero).collect()
     }
 
-    /// Returns the limit for δ → 0 of the moved point, with 1 as the first nonzero coordinate.
+    /// Returns homogeneous coordinates of the limit for δ → 0. The first nonzero one is 1.
     pub(crate) fn place(&self) -> Vec<Rational> {
         let values: Vec<Rational> = self.leading().into_iter().map(|row| row[0].clone()).collect();
         let unit = values.iter().find(|value| !value.is_zero()).expect("a projective point").clone();

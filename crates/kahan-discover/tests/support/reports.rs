@@ -16,7 +16,7 @@ pub(crate) fn report(text: &str, options: &Options) -> Report {
     searched(text, &Options { degree: options.degree.or(Some(usual)), ..options.clone() })
 }
 
-/// Searches up to the degree in `options`, or without a highest degree if `options` gives none.
+/// Searches up to the degree in `options`. Without one, the search may continue to any degree.
 pub(crate) fn searched(text: &str, options: &Options) -> Report {
     let watch = Recording::with_a_clock();
     let report = discover(&system(text), options, &watch).expect("there is a map");

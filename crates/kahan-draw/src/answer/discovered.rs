@@ -72,7 +72,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["fixed".to_owned(), fixed.join(", ")]);
     }
     rows.push(["degrees of iterates".to_owned(), listing(&report.degrees)]);
-    // If no relation was found on an orbit, the table shows only the highest degree searched.
+    // Without a relation on an orbit, one row states the highest degree searched.
     let hilbert = report.hilbert.as_ref();
     if let Some(hilbert) = hilbert.filter(|hilbert| hilbert.is_full()) {
         rows.push(["relations on an orbit".to_owned(), format!("none of degree ≤ {}", hilbert.degree())]);
@@ -83,7 +83,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["  of all".to_owned(), listing(&hilbert.full)]);
     }
     let structure = &report.structure;
-    // If none is known, the row is left out: the flow may have integrals of degrees above 2.
+    // Without known integrals of the flow there is no row, because the search ends at degree 2.
     let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
     if !of_flow.is_empty() {
         rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);

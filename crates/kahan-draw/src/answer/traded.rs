@@ -44,7 +44,7 @@ const ERRORS: [(&str, Error); 3] = [
     ("return", |measured| measured.return_error),
 ];
 
-/// Returns the Pareto front of price and error, ordered by price.
+/// Returns the settings that no other setting beats in both time and error, the fastest first.
 #[must_use]
 pub fn front(traded: &Traded) -> Table {
     let front = || traded.settings.iter().filter(|measured| measured.on_front);

@@ -54,7 +54,7 @@ pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> Str
     document.into_string()
 }
 
-/// Writes the footer. The text `again` is the command that makes the page again.
+/// Writes the footer of a page. `again` shows the command that makes the page again.
 pub fn colophon(making: &PageCreation, again: &Markup) -> Markup {
     html! {
         footer {

@@ -59,14 +59,14 @@ fn index(text: &str) -> Option<(String, usize)> {
     }
 }
 
-/// Returns a minus sign for a hyphen that begins a word or stands between spaces.
+/// Returns a minus sign if the hyphen begins a word or stands between spaces.
 fn sign(before: Option<char>, after: &str) -> Option<&'static str> {
     let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | ',' | '='));
     let alone = before == Some(' ') && after.starts_with(' ');
     (alone || opens && after.starts_with(char::is_alphanumeric)).then_some("−")
 }
 
-/// Reads `1e-N` as a power of ten, and removes trailing zeros of decimal fractions.
+/// Returns a number's new text and old length: `1e-3` becomes 10⁻³, and `1.50` becomes 1.5.
 fn number(text: &str) -> Option<(String, usize)> {
     if let Some(after) = text.strip_prefix("1e-") {
         let exponent = digits(after);
@@ -83,7 +83,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     Some((format!("{whole}{point}{kept}"), whole.len() + 1 + decimals.len()))
 }
 
-/// Writes `alpha1` as α₁, and other Greek names likewise. In `a12`, too, digits become an index.
+/// Writes Greek names and the Latin `a` as letters with an index: `alpha1` as α₁, `a12` as a₁₂.
 fn word(word: &str) -> String {
     let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let letter = match stem {

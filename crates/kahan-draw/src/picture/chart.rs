@@ -21,7 +21,7 @@ pub struct Chart {
     pub column: String,
     /// Whether the values are logarithms to base 10.
     pub is_logarithm: bool,
-    /// Whether some values are lower bounds.
+    /// Whether some values are only lower bounds of the number of passed poles.
     pub is_lower_bound: bool,
     /// For each cell, how its orbit ended and after how many steps. Empty if the values are from a
     /// file.
@@ -36,9 +36,9 @@ fn logarithm(value: f64) -> f64 {
 
 impl Chart {
     /// Charts one column of an [`Observe`](kahan_study::Observe) over one or two ranges. The last
-    /// range becomes the abscissa. The cell of an orbit that ends early is empty. In the column
-    /// `escape`, the cell of an orbit that does not escape is empty. Panics if `asked` holds
-    /// another question, or an axis that is not a range.
+    /// range becomes the horizontal axis. The cell of an orbit that ends early is empty. In the
+    /// column `escape`, the cell of an orbit that does not escape is empty. Panics without an
+    /// `Observe` or ranges.
     #[must_use]
     pub fn of(asked: &Over, found: &OverFound, shade: &ColourColumn) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };
@@ -96,7 +96,7 @@ impl Chart {
         if self.is_lower_bound { format!("{quantity}, at least") } else { quantity }
     }
 
-    /// Describes the ranges of the axes. A chart over two ranges extends to the edges of its cells.
+    /// Describes the axes. With two axes, each range includes the outer halves of the end cells.
     fn description(&self) -> String {
         let through = |axis: &Axis| {
             let ends = if self.axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
@@ -125,7 +125,8 @@ impl Chart {
         if ends.is_empty() { String::new() } else { format!(": {}", ends.join(", ")) }
     }
 
-    /// Returns a note on empty cells, on equal values, or on values that `scale` does not show.
+    /// Returns a note if cells are empty, if all values are equal, or if some lie outside of
+    /// `scale`.
     fn note(&self, scale: Option<&NumberLine>) -> String {
         const ROUNDING: f64 = 1e-13;
 

@@ -26,8 +26,8 @@ const COLOURS: usize = 5;
 pub struct PictureOptions {
     /// The canvas to draw on.
     pub sheet: Canvas,
-    /// Names of axes, each with the least and greatest value shown. Other axes show nearly all
-    /// values.
+    /// Names of axes, each with the least and greatest value shown. The ranges of other axes are
+    /// chosen from the values.
     pub windows: Vec<(String, [f64; 2])>,
     /// Whether lines join the points of an orbit.
     pub lines: bool,
@@ -42,7 +42,7 @@ pub struct Picture {
     pub points: usize,
     /// The number of points outside the axes.
     pub outside: usize,
-    /// The extent of each orbit of a portrait or section.
+    /// The number of points and of distinct positions of each orbit of a portrait or section.
     pub visits: Vec<OrbitExtent>,
 }
 

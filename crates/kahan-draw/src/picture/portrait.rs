@@ -35,7 +35,7 @@ pub struct Trace {
     columns: Vec<Vec<f64>>,
 }
 
-/// The numbers of points and of distinguishable positions of an orbit.
+/// The number of points of an orbit. `places` counts points that lie close together only once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OrbitExtent {
     /// The number of points.
@@ -179,7 +179,7 @@ pub fn portrait(
 /// Chooses marks by the number of points. Orbits with few distinguishable positions get large dots.
 fn marks(visits: &[OrbitExtent], look: &PictureOptions) -> Vec<Mark> {
     const FEW: usize = 24;
-    /// Lines are thin if they have more points than this in total.
+    /// Lines are thin if the orbits together have more points than this.
     const LINES: usize = 2000;
 
     let others = visits.iter().filter(|visits| visits.places > FEW);

@@ -5,8 +5,8 @@ use kahan_study::{LiftFound, WatchedOrbit};
 use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series, TickKind};
 
-/// Draws the errors of each relation along an orbit on a logarithmic axis. Relations without errors
-/// are omitted. Returns `None` if no errors were measured.
+/// Draws the errors of each relation along an orbit on a logarithmic axis. Relations whose errors
+/// are all 0 are omitted. Returns `None` if no errors were measured.
 #[must_use]
 pub fn relations(found: &LiftFound, look: &PictureOptions) -> Option<Picture> {
     let WatchedOrbit { eps, errors: seen, .. } = found.watched.as_ref()?;

@@ -1,5 +1,5 @@
-//! The diagram of the errors of settings against their computing time. A line joins the settings of
-//! one order in `f64` or `Dd`. Compensated settings and settings in `f32` are small dots.
+//! The diagram of the errors of integrator settings against computing time. Lines join settings of
+//! equal order and precision, `f64` or `Dd`. Compensated and `f32` settings are small dots.
 
 use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};

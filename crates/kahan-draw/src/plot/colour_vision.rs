@@ -3,7 +3,7 @@
 
 pub(super) type Linear = [f64; 3];
 
-/// A kind of colour vision, named by the missing cones.
+/// A kind of colour vision: with all cones, or without one of the three kinds of cones.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum ColourVision {
     All,

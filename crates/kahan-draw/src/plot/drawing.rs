@@ -53,7 +53,7 @@ impl Drawing {
         let Canvas { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // Every printer has Helvetica, Arial, or a font with letters of the same widths.
+        // On paper, the fonts are those that printers have, or replace by fonts of equal widths.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
@@ -150,8 +150,8 @@ impl Canvas {
     /// The width and height in pixels of a picture that fills a printed column of 86 mm.
     pub const COLUMN: (u32, u32) = (1016, 762);
 
-    /// Makes the canvas of a file. On screens the text is large enough for telephones. In print,
-    /// 300 pixels are an inch.
+    /// Makes the canvas of a file. For screens, the text is large enough to be read on telephones.
+    /// For print, 300 pixels are one inch.
     #[must_use]
     pub fn new(pixels: (u32, u32), theme: Theme) -> Self {
         let (width, height) = (f64::from(pixels.0), f64::from(pixels.1));

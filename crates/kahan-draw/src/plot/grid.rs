@@ -97,7 +97,7 @@ fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), 
     let pixels = cells.chunks(columns).map(|cells| row(cells).repeat(upwards)).collect::<Vec<_>>().concat();
     let png = png(across * columns, upwards * rows, &pixels)
         .expect("there are cells, and memory takes what is written");
-    // Inkscape reads only this old name of `href`.
+    // Inkscape reads only `xlink:href`, the old name of `href`.
     html! {
         image x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(bottom - top))
             preserveAspectRatio="none" style="image-rendering:pixelated"

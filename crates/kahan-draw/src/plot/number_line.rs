@@ -1,6 +1,6 @@
-//! Axes with round ticks. If all values have equal leading digits, the axis subtracts a number from
-//! the values. Then it divides very large or small values by a power of ten. The name of the axis
-//! states the number and the power, as in `(x − 2.5) / 10⁻⁸`.
+//! Axes with round ticks. If all values begin with equal digits, the axis subtracts a number from
+//! them. If they are then very large or small, the axis divides them by a power of ten. The name of
+//! the axis states both, as in `(x − 2.5) / 10⁻⁸`.
 
 use super::script::superscript;
 
@@ -94,7 +94,7 @@ impl NumberLine {
         }
     }
 
-    /// Returns the largest power of ten up to the length of the axis.
+    /// Returns the largest power of ten that does not exceed the length of the axis.
     fn unit(&self) -> f64 {
         libm::exp10(libm::log10(self.high - self.low).floor())
     }
@@ -122,7 +122,7 @@ impl NumberLine {
     /// labels.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let unit = self.unit();
-        // Round steps differ by factors of 2 or 2.5, so one of them gives four to seven ticks.
+        // Successive round steps differ by factors of 2 or 2.5, so one gives four to seven ticks.
         let finer = |factors: &'static [f64]| {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };
@@ -132,7 +132,6 @@ impl NumberLine {
             steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
-        // Candidates with four or more ticks come first, in the order of `steps`.
         marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
         let chosen = marked.iter().position(|ticks| fits(ticks));
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))
@@ -142,8 +141,8 @@ impl NumberLine {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
         let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
-        // Ticks have as many decimals as the step: one for 0.2, two for 0.25. The factor 1.001
-        // allows for rounding errors of a step such as 0.1.
+        // The number of decimals of the step, such as 1 for 0.2. A second one, as for 0.25, is
+        // added below. The factor 1.001 allows for rounding errors of a step such as 0.1.
         let size = (-libm::log10(step * scale * 1.001).floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
             let digits = step * scale * 10_f64.powi(decimals as i32);

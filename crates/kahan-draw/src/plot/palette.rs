@@ -1,5 +1,5 @@
-//! Colours of drawings. The six colours of curves differ in grey print, and for readers who lack
-//! one kind of cones. Each colour has the contrast that text needs.
+//! Colours of drawings. The six colours of curves can be distinguished in grey print, and by
+//! readers who lack one kind of cones. Each colour has enough contrast for text.
 
 use std::fmt::Write as _;
 
@@ -176,7 +176,7 @@ mod tests {
                 assert!(contrast(one, paper) >= 4.5, "c{}", i + 1);
                 for (j, &other) in curves.iter().enumerate().skip(i + 1) {
                     for kind in KINDS {
-                        // People can distinguish two colours whose distance is about 2.
+                        // People can distinguish colours at a distance of about 2 in L*a*b*.
                         let apart = distance(simulated(one, kind), simulated(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }

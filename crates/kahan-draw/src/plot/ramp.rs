@@ -1,5 +1,5 @@
 //! The colour map viridis (Van der Walt and Smith, matplotlib 2015), from dark to light. Equal
-//! steps look about equally large. The order is visible in grey, and without one kind of cones.
+//! steps look about equally large, also in grey, and to readers who lack one kind of cones.
 
 pub(super) type Rgb = [u8; 3];
 
@@ -40,7 +40,7 @@ mod tests {
             let mean = (light[64] - light[0]) / 64.0;
             assert!(mean > 1.0, "{kind:?}: {mean}");
             for step in light.windows(2).map(|pair| pair[1] - pair[0]) {
-                // Without short-wave cones, violet is like blue: the lightness need only increase.
+                // Without short-wave cones, violet looks like blue, so small steps are allowed.
                 let least = if matches!(kind, ColourVision::NoShort) { 0.0 } else { mean / 3.0 };
                 assert!(step > least && step < 2.5 * mean, "{kind:?}: {step} of {mean}");
             }

@@ -84,7 +84,7 @@ mod tests {
                 pixels.pixels().iter().map(|pixel| (pixel.red(), pixel.green(), pixel.blue())).collect();
             assert_eq!(colours[0], paper);
             assert!(colours.iter().filter(|colour| **colour == curve).count() > 400, "the line");
-            // Left of the vertical axis, only letters are dark.
+            // Left of the vertical axis, only letters differ from the paper.
             let margin = colours.chunks(900).flat_map(|row| &row[..105]).filter(|colour| **colour != paper);
             assert!(margin.count() > 100, "letters");
         }

@@ -43,7 +43,7 @@ const AZIMUTH: f64 = 0.62;
 const ELEVATION: f64 = 0.5;
 /// The number of depth layers. Each layer has one line width.
 const DEPTH_LAYERS: usize = 24;
-/// If the longest edge of the box is over this many times the shortest, each has its own scale.
+/// Axes have separate scales if the longest edge of the box exceeds the shortest by this factor.
 const STRETCH_RATIO: f64 = 4.0;
 const MAX_STRETCHED_WIDTH: f64 = 2.0;
 
@@ -133,7 +133,7 @@ fn width_in(layer: usize, middle: f64) -> f64 {
     middle * (AT_THE_BACK + 2.0 * (1.0 - AT_THE_BACK) * nearness)
 }
 
-/// Returns the vector from the middle to a corner: bit i of `bits` selects an end of axis i.
+/// Returns the vector from the box's centre to a corner. Bit i of `bits` selects an end of axis i.
 fn half_diagonal(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| lengths[i] * stretch[i] * if bits >> i & 1 == 1 { 0.5 } else { -0.5 })
 }
@@ -188,7 +188,7 @@ impl SpacePlot {
         if here.is_empty() {
             return html! {};
         }
-        // Each piece of a line includes the first point in the next layer, so lines have no gaps.
+        // Each piece of a line ends at the first point of the next piece, so lines have no gaps.
         let lines = || {
             let mut path = String::new();
             let mut from = 0;
@@ -263,7 +263,7 @@ impl SpacePlot {
     }
 }
 
-/// The two corners that each axis joins. Two axes are below the box, and one axis is on the left.
+/// The corners at both ends of each axis. Bit i of a corner is 1 at the upper end of axis i.
 const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110)];
 const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
 const ANCHORS: [&str; 3] = ["middle", "middle", "end"];

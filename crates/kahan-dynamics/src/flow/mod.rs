@@ -39,7 +39,7 @@ pub(crate) use series::SeriesScalar;
 pub struct Flow<T> {
     pieces: Vec<TaylorPiece<T>>,
     end: f64,
-    /// The number of variables, from the first on, that determine distances and the scale.
+    /// Distances and the scale use only the first `measured` variables.
     measured: usize,
     scale: f64,
     slope: f64,
@@ -78,7 +78,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
 
     /// Integrates from `start` to the time `end` > 0, and on to `end`·(1 + `beyond`), because the
     /// last step of an orbit may pass `end`. Calls `go_on` before each piece with the number of
-    /// pieces so far. The flow ends early if the solution escapes to infinity after `end`.
+    /// pieces so far. If the solution escapes after `end`, the flow ends at `end`.
     ///
     /// A piece costs about 90 evaluations of the bilinear form in `f64`, and 240 in [`Dd`]. The
     /// length of a piece is 0.14 (in `Dd` 0.09) of the distance to the nearest singularity in
@@ -110,10 +110,10 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             let series = expansion.at(x, rate);
             rate = 1.0 / series.radius;
             flow.pieces.push(TaylorPiece::of(&series, t));
-            // Steps are of type `f64`, so that their sum `t` is exact in double-double.
+            // Steps are of type `f64`, so that the time `t`, their sum, is exact in double-double.
             let step = series.reach().min(2.0 * last);
-            // Near a pole each step is a fixed fraction of the time left until the pole, so very
-            // short steps show that the solution escapes.
+            // The solution escapes if a value is not finite or the step is very short. Near a pole,
+            // each step is a fixed fraction of the time left until the pole.
             if !(x.iter().all(|entry| entry.approximate().is_finite())
                 && step > 1e-9 * (now + *first.get_or_insert(step)))
             {
@@ -143,8 +143,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         Ok(flow)
     }
 
-    /// Restricts distances and the scale to the first `variables` variables, and the scale to times
-    /// up to `end`.
+    /// Uses only the first `variables` variables for distances and for the scale. The scale becomes
+    /// their largest absolute value up to the time `end`.
     #[must_use]
     pub fn of_first(self, variables: usize, end: f64) -> Self {
         let size = |t: f64| {

@@ -6,8 +6,8 @@
 //!
 //! (k + 1) xₖ₊₁ = Σ_{i+j=k} Q(xᵢ,xⱼ) + Bxₖ + [k = 0] c.
 //!
-//! Each coefficient takes one Cauchy product, and no derivative of f beyond f′. The unit of time is
-//! a power of 2 near the radius of convergence, so that coefficients stay in range.
+//! Each coefficient takes one Cauchy product of the earlier coefficients. The unit of time is a
+//! power of 2 near the radius of convergence, so that coefficients stay in range.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 
@@ -53,8 +53,8 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
         Self { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
     }
 
-    /// Expands the solution at `start`. For the radius of convergence ρ, `rate` is a guess of 1/ρ
-    /// that a few trials correct. The cost is about TERMS²/4 evaluations of the bilinear form.
+    /// Expands the solution at `start`. The guess `rate` of 1/ρ, for the radius of convergence ρ,
+    /// is corrected by a few trials. The cost is about TERMS²/4 evaluations of the bilinear form.
     pub(super) fn at(&self, start: SVector<T, N>, rate: f64) -> Series<T, N> {
         const NEAR: f64 = (1_u64 << 16) as f64;
         const TRIALS: usize = 16;
@@ -98,8 +98,7 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
             if k % 2 == 0 {
                 sum += self.field.bilinear(&series[k / 2], &series[k / 2]);
             }
-            // The power of two `unit` may be so extreme that single terms would overflow, so only
-            // the finished sum is multiplied.
+            // To avoid an overflow of single terms, only the finished sum is multiplied by `unit`.
             let divisor = T::from((k + 1) as f64);
             series.push(sum.map(|entry| entry * unit / divisor));
         }
@@ -123,11 +122,11 @@ impl<T: SeriesScalar, const N: usize> Series<T, N> {
 }
 
 /// Estimates the radius of convergence ρ from the last two coefficients (Jorba and Zou, Exp. Math.
-/// 14 (2005) 99). Each component has its own estimate, because a small one may grow.
+/// 14 (2005) 99). Each component has its own estimate, because a small component may grow.
 ///
 /// Let p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), and let x₀, …, x_K be the coefficients
 /// of a component. The estimate is h/p for the largest h such that some k ≤ K/2 satisfies |x_K|h^K
-/// ≤ p^K |xₖ|hᵏ. A step h then omits terms of about p^K times the component's size or less.
+/// ≤ p^K |xₖ|hᵏ. A step h then omits terms of at most about p^K times the largest |xₖ|hᵏ.
 fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {

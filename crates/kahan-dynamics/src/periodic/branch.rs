@@ -53,13 +53,13 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// The bifurcations within the range, in the order of the branch.
     pub turns: Vec<ChangePoint>,
-    /// Whether the branch ended inside the range. The reason is a pole, no convergence, a merger of
-    /// cycles, the limit of 20 times as many steps as requested, or the callback.
+    /// Whether the branch ended inside the range: at a pole, where cycles merge, after 20 times the
+    /// requested steps, by the callback, or because Newton's method failed.
     pub is_cut: bool,
 }
 
-/// A position on the branch: the coordinates of all points, divided by the size of the first cycle,
-/// and as the last entry the fraction of the parameter's range that was passed.
+/// A position on the branch. The coordinates of all points come first, divided by the size of the
+/// first cycle. The last entry is the parameter's position in its range, from 0 to 1.
 pub(super) type BranchPosition = DVector<f64>;
 
 /// Follows a cycle from the parameter value `from` towards `to`, until the parameter leaves the
@@ -127,7 +127,7 @@ pub(super) fn follow(
     if add(&mut branch, &place, BranchPointKind::Asked(0)) {
         return branch;
     }
-    // Far from the origin points move faster than the parameter, so steps grow with `place.norm()`.
+    // Large positions change faster than the parameter, so steps grow with `place.norm()`.
     let longest = |place: &BranchPosition| place.norm().max(1.0) / steps as f64;
     let (mut stride, mut strides) = (longest(&place), 0);
     let mut before = arc.classified(&place).cycle;
@@ -191,7 +191,7 @@ fn integers_between([from, to]: [f64; 2], most: usize) -> Vec<usize> {
 }
 
 /// Returns the scale of lengths on a branch: the size of the first cycle. If that is 0, estimates
-/// the distance that its points move while the parameter crosses its range.
+/// how far the points of the cycle move while the parameter crosses its range.
 fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64 {
     if cycle.size > 0.0 {
         return cycle.size;
@@ -223,7 +223,7 @@ pub(super) trait Curve {
         BranchChange::Fold
     }
 
-    /// Returns whether a step left the branch for steady states, or for cycles of half the period.
+    /// Returns whether a step jumped to a steady state, or to a cycle of half the period.
     fn has_jumped(&self, _: &BranchPosition, _: &BranchPosition) -> bool {
         false
     }
@@ -276,7 +276,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for CycleCurve<F> {
 
     fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition> {
         let wide = self.slope(place)?;
-        // Project `near` onto the null space of the derivative.
+        // The tangent is `near`, projected onto the null space of the derivative `wide`.
         let out = least_norm_solution(wide.clone(), &(&wide * near))?;
         (near - out).try_normalize(1e-8)
     }
@@ -294,8 +294,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for CycleCurve<F> {
             square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm_solution(square, &gaps.push(0.0))?;
             if gaps.amax() <= RESIDUAL_TOLERANCE * next.amax().max(1.0) {
-                // Near a double multiplier 1, the error of the cycle is about the square root of
-                // `gaps`. One more Newton step is therefore kept if its residual is smaller.
+                // Near a double multiplier 1, the cycle's error is about the square root of the
+                // residual `gaps`. One more Newton step is kept if it has a smaller residual.
                 let is_nearer = gaps.amax() > NEGLIGIBLE_RESIDUAL
                     && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

@@ -58,7 +58,7 @@ pub struct ChangePoint {
     pub parameter: f64,
 }
 
-/// One continuation step: the piece of the solution curve from `place` to the distance `length`.
+/// One continuation step: the solution curve from `place` on, up to `length` along `tangent`.
 pub(super) struct BranchSegment<'a, C> {
     pub(super) arc: &'a C,
     pub(super) place: &'a BranchPosition,
@@ -150,8 +150,8 @@ impl<C: Curve> BranchSegment<'_, C> {
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n((high.at, ChangePoint { change, parameter }), times.unsigned_abs()));
         };
-        // Two real multipliers outside the unit circle may become a complex pair, or the reverse.
-        // These `met` multipliers do not cross the circle, so they are subtracted.
+        // Two real multipliers outside the unit circle may become a complex pair, or a pair may
+        // become real. `met` counts these multipliers, because they do not cross the circle.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
         tell(self.turning_back(there.as_ref()), isize::from(turns_back));
         tell(BranchChange::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
@@ -213,21 +213,21 @@ impl<C: Curve> BranchSegment<'_, C> {
     fn crossing(&self, change: BranchChange, [low, high]: [&SegmentPoint; 2]) -> (f64, ChangePoint) {
         let (inner, outer) =
             if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
-        // Multipliers are sorted by decreasing modulus: the last one outside the circle crosses it.
+        // Multipliers are sorted by decreasing modulus, so the last one outside crosses the circle.
         let index = outer.cycle.outside() - 1;
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
         let size_at = |there: &BranchPosition| size_of(&self.arc.classified(there).cycle);
         let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
-        // At `inner` the multiplier may lie within its error margin of the circle. Then the
-        // crossing may come before `inner`.
+        // At `inner` the multiplier may be too near the circle to be surely inside. The position
+        // `behind` is farther from `outer`.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
         let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
             (inner.at, 1.0)
         } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
             (behind, 1.0)
         } else {
-            // No position with the multiplier surely inside the circle is known, so the search is
-            // for the position where the modulus exceeds 1 by more than the error margin.
+            // At no known position is the multiplier surely inside the circle. The search then
+            // finds where the modulus exceeds 1 by the error margin.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
         let (at, parameter) = self.bisect([begin, outer.at], |there| size_at(there) <= bound);

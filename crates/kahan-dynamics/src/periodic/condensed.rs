@@ -1,11 +1,11 @@
-//! Newton's equations of a long cycle, condensed to as many unknowns as one point has.
+//! Newton's equations of a long cycle, condensed to the unknowns of one point.
 //!
 //! Let xᵢ be the points of a cycle of a map φ, and e a vector of further unknowns such as ε. The
 //! equations for the corrections dxᵢ and de,
 //!
 //! dxᵢ₊₁ = Aᵢ dxᵢ + Bᵢ de + gᵢ
 //!
-//! are solved under further linear conditions.
+//! are solved together with linear conditions, such as a fixed phase.
 //!
 //! # Method
 //!
@@ -99,7 +99,7 @@ impl CondensedEquations {
     }
 }
 
-/// Returns a unit vector that shifts all points along the cycle, with `others` zeros at the end.
+/// Returns a unit vector that shifts all points along the cycle. The last `others` entries are 0.
 pub(super) fn phase_direction(points: &[f64], n: usize, others: usize) -> DVector<f64> {
     let len = points.len();
     let entry = |k: usize| if k < len { points[(k + n) % len] - points[(k + len - n) % len] } else { 0.0 };

@@ -64,11 +64,12 @@ pub enum NoPeriodicPoint {
         /// The largest component of |φ(xᵢ) − xᵢ₊₁| that remained, for the map φ and the points xᵢ.
         residual: f64,
     },
-    /// Cycles form a family with different periods, so a number of steps does not determine ε.
+    /// Cycles form a family with different periods, so one number of steps fits many values of ε.
     Family,
     /// The search for a cycle of the flow ended at a steady state.
     Still,
-    /// No cycle with twice the number of steps is near the cycle that was found.
+    /// Near the cycle found, there is no cycle with twice as many steps, so its steps are too
+    /// coarse.
     Coarse,
     /// No close return of the orbit led to a cycle of about the requested period.
     NoReturn,
@@ -108,8 +109,8 @@ impl std::error::Error for NoPeriodicPoint {}
 
 /// The largest accepted residual, relative to the size of the cycle or of the start.
 pub(super) const RESIDUAL_TOLERANCE: f64 = 1e-11;
-/// The least tolerance in the test whether |μ| = 1 for a multiplier μ. Double eigenvalues lose half
-/// of their digits.
+/// The least tolerance in the test whether |μ| = 1 for a multiplier μ. A double multiplier is
+/// accurate to only half of its digits.
 const UNIT_CIRCLE_TOLERANCE: f64 = 1e-6;
 
 impl PeriodicPoint {
@@ -158,7 +159,7 @@ impl PeriodicPoint {
         self.size
     }
 
-    /// Makes a `PeriodicPoint` with the smallest period from points in the unit of `map`.
+    /// Reduces a cycle to its smallest period, and classifies it.
     pub(super) fn classified<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64], residual: f64) -> Self {
         let all: Vec<Vec<f64>> = cycle.chunks(map.dimension()).map(<[f64]>::to_vec).collect();
         let period = smallest_period(&all, unit::size(cycle).max(map.unit.size));
@@ -266,7 +267,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // Divisors are differences of eigenvalues. Below `least` in modulus, they are replaced by it.
+    // Divisors are differences of eigenvalues. `least` replaces those of smaller modulus.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];
@@ -281,7 +282,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
             let sum: Complex<f64> = (i..j).map(|k| left[k] * triangular[(k, j)]).sum();
             left[j] = -sum / pivot(triangular[(j, j)] - eigenvalue);
         }
-        // `right` and `left` are 1 at index i. Elsewhere one of them is 0, so their product is 1.
+        // The scalar product of `left` and `right` is 1: only entry i is nonzero in both, and is 1.
         let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, libm::hypot);
         (eigenvalue, norm(&right) * norm(&left))
     };
@@ -318,7 +319,7 @@ pub fn periodic_point<M: Differentiable>(
     if !cycle.iter().all(|x| x.is_finite()) {
         return Err(NoPeriodicPoint::NotFinite);
     }
-    // A start at 0 may have a nonzero image, whose size is then the unit of length.
+    // The unit of length is the size of the first nonzero point of the orbit.
     let last = map.image(&cycle[(period - 1) * start.len()..]);
     let mut sizes = cycle.chunks(start.len()).chain([&last[..]]).map(unit::size);
     let map = ScaledMap { map, unit: LengthUnit::of(sizes.find(|size| *size > 0.0).unwrap_or(0.0)) };

@@ -30,8 +30,8 @@ impl FlowCycle {
         2.0 * self.eps * self.cycle.points.len() as f64
     }
 
-    /// Refines the cycle to twice the number of steps, which quarters the error of the period. For
-    /// the periods T before and T₂ after this, T₂ + (T₂ − T)/3 has an error of order ε⁴.
+    /// Doubles the number of steps, which quarters the error of the period. For the period T of
+    /// this cycle and T₂ of the result, T₂ + (T₂ − T)/3 has an error of order ε⁴.
     ///
     /// # Errors
     /// Returns [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found, or an error
@@ -72,10 +72,10 @@ impl FlowCycle {
     }
 }
 
-/// Returns whether the points go `rounds` times around a closed curve. Each point must lie near the
-/// parabola through three successive points of the next round.
+/// Returns whether the points go `rounds` times around a closed curve. For this, each point must
+/// lie near a parabola through three successive points of the next round.
 pub(super) fn goes_around(points: &[f64], dimension: usize, rounds: usize) -> bool {
-    /// The tolerance relative to the largest second difference.
+    /// The largest distance from a parabola, relative to the largest second difference.
     const NEAR: f64 = 0.25;
 
     let steps = points.len() / dimension;
@@ -134,7 +134,7 @@ pub fn flow_cycle<M: Parametric>(
     Ok(Search::of_orbit(&map, start, eps, steps)?.run()?.single_round(&map))
 }
 
-/// The state of Newton's method: the points divided by their size, then ε divided by the first ε.
+/// Newton's method. `place` holds all points divided by `unit`, then ε divided by `eps`.
 struct Search<'a, F> {
     map: &'a F,
     unit: LengthUnit,
@@ -181,7 +181,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
         const NEWTON_ITERATIONS: usize = 60;
-        /// Once the residual, relative to the cycle's size, is below this, one more step is made.
+        /// Once the residual relative to the cycle's size is below this, one last step is made.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
@@ -213,8 +213,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn classified(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The cycle may be one of a family if the smallest singular value, divided by the largest,
-        /// is below this number.
+        /// The cycle may belong to a family if the Newton equations are singular: their smallest
+        /// singular value divided by the largest is below this.
         const FAMILY_RANK_RATIO: f64 = 1e-7;
         const NEARLY_FAMILY: f64 = 1e-4;
         const ONE: f64 = 1e-3;
@@ -241,7 +241,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 }
 
-/// The limit of a number that depends on the step h = 1/N, for h → 0.
+/// The limit for h → 0 of a number that depends on the step h.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extrapolated {
@@ -271,7 +271,7 @@ impl Extrapolated {
             let factor = libm::exp2(f64::from(*power)) - 1.0;
             column = column.windows(2).map(|pair| pair[1] + (pair[1] - pair[0]) / factor).collect();
         }
-        // Unless the observed order is about 2, the finest value is not extrapolated.
+        // If the observed order is not about 2, the value of the smallest h is not extrapolated.
         let [first, second] = [3, 2].map(|k| values[values.len() - k + 1] - values[values.len() - k]);
         let ratio = first / second;
         let is_regular = (2.0..8.0).contains(&ratio) || second == 0.0;

@@ -111,12 +111,12 @@ impl LevelSet {
 pub struct OnLevelSet<'a, M> {
     /// The map in all variables.
     pub map: M,
-    /// The level set.
+    /// The level set to which the map is restricted.
     pub leaf: &'a LevelSet,
 }
 
 impl<M: Step<Scalar: From<f64>>> OnLevelSet<'_, M> {
-    /// Applies a map of all variables to a point in coordinates of the level set.
+    /// Calls `image` on a point of the level set, and updates its `coordinates`.
     fn by(
         &self,
         coordinates: &mut [M::Scalar],

@@ -6,8 +6,8 @@ use kahan_core::nalgebra::{DMatrix, DVector};
 use super::Differentiable;
 use super::unit::ScaledMap;
 
-/// The relative residual at which Newton's method stops: the square of the unit roundoff. Near a
-/// cycle at 0, further steps would meet subnormal numbers.
+/// Newton's method stops at this relative residual, the square of the unit roundoff. Near a cycle
+/// at 0, a smaller limit leads to subnormal numbers.
 pub(super) const NEGLIGIBLE_RESIDUAL: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
 /// Returns φ(xᵢ) − xᵢ₊₁ for all points xᵢ of the cycle. Returns `None` if a number is not finite.
@@ -51,7 +51,7 @@ pub(super) fn least_norm_solution(matrix: DMatrix<f64>, right: &DVector<f64>) ->
     svd.solve(right, ZERO * largest).ok()
 }
 
-/// Makes damped Newton steps from a guess. Returns the cycle with the norm of its defect.
+/// Makes damped Newton steps from a guess. Returns the cycle and the norm of its [`defect`].
 pub(super) fn newton_cycle<M: Differentiable>(
     map: &ScaledMap<M>,
     cycle: DVector<f64>,

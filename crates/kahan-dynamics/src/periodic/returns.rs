@@ -12,22 +12,22 @@ pub struct CloseReturn {
     pub distance: f64,
 }
 
-/// Finds returns of an orbit to earlier points after `least` to `most` steps, sorted by distance
-/// times steps. Each coordinate is divided by its range on the orbit.
+/// Finds returns of an orbit to earlier points after `least` to `most` steps. They are sorted by
+/// the product of distance and steps. Each coordinate is divided by its range on the orbit.
 ///
-/// A later return to a point is reported only if it is ten times closer, so that two rounds of a
-/// cycle are not reported. About 2000 points are compared with `most` successors each.
+/// Two rounds of a cycle are not reported, because a later return to the same point must be ten
+/// times closer. About 2000 points are compared with `most` successors each.
 ///
 /// # Panics
 /// If the points differ in their number of coordinates.
 #[must_use]
 pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<CloseReturn> {
-    /// Of a long orbit, this many to twice this many points are tested for returns.
+    /// At least this many points of a long orbit, and at most twice as many, are tested.
     const START_POINTS: usize = 1000;
     const RETURNS: usize = 24;
     /// An orbit must first leave a point by more than this, in scaled coordinates, to return to it.
     const NEIGHBOURHOOD_RADIUS: f64 = 0.1;
-    /// Smaller distances count as equal, because the interpolation is not more accurate.
+    /// Distances below this are raised to it, because the interpolation is not more accurate.
     const EQUAL_RETURN_DISTANCE: f64 = 1e-4;
 
     let Some(first) = orbit.first() else { return Vec::new() };
@@ -73,7 +73,7 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     returns
 }
 
-/// Returns the distance of `there`, a point near `x`, from the parabola through the three points.
+/// Returns the distance of a point `there` near `x` from the parabola through the given points.
 pub(super) fn distance_from_parabola([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
     let slope = |k: usize| 0.5 * (behind[k] - before[k]);
     let off = |k: usize, at: f64| {

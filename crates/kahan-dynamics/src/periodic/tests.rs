@@ -245,7 +245,7 @@ fn a_cycle_at_0_is_as_near_to_it_as_its_start_is_large() {
 
 #[test]
 fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
-    // If a is proportional to `unit`, so are the fixed points of the map x̃ = x/2 + a − x²/unit.
+    // The fixed points of the map x̃ = x/2 + a − x²/unit are proportional to `unit` if a is.
     struct Root(f64, f64);
 
     impl ByHand for Root {
@@ -302,7 +302,7 @@ impl Differentiable for Arctangent {
 
 #[test]
 fn steps_that_lead_away_are_halved() {
-    // Undamped Newton iteration for arctan x = 0 diverges from |x| ≥ 1.4.
+    // Newton's method without damping for arctan x = 0 diverges for starts with |x| ≥ 1.4.
     let fixed = periodic_point(&Arctangent, &[3.0], 1).unwrap();
     assert!(fixed.points[0][0].abs() < 1e-11);
 }

@@ -18,7 +18,7 @@ pub enum NoSetting {
         /// The index of the coordinate.
         index: usize,
     },
-    /// The solution escapes before the end of the scene, or no orbit with 32 digits confirms it.
+    /// The solution escapes before the end of the scene, or no orbit in `Dd` confirms the solution.
     Lost {
         /// The time of the escape, or the time until which the distance of an orbit from the
         /// trajectory stayed below a tenth of the trajectory's size.

@@ -19,7 +19,7 @@ const ROUNDING_SAFETY_FACTOR: f64 = 2.0;
 const MOST_STEPS: f64 = 9e15;
 
 const PILOT_STEPS: f64 = 4096.0;
-/// The largest coordinate of an orbit may be at most this many times that of the orbit with ε/4.
+/// The largest coordinate on an orbit, divided by the largest one with ε/4, may be at most this.
 const MAX_SIZE_RATIO: f64 = 2.0;
 const MAX_HALVINGS: i32 = 16;
 
@@ -49,7 +49,7 @@ where
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
             }
-            // Compensated steps round only 2εf. Its size relative to x is about 2ε·rate.
+            // With compensation only the increment 2εf is rounded, of size 2ε·`rate` relative to x.
             let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
             let error = ROUNDING_SAFETY_FACTOR
                 * scene.condition
@@ -70,7 +70,7 @@ where
     best.ok_or(NoSetting::OutOfReach { best: least_error })
 }
 
-/// Returns whether the first points are finite, and not much larger than points with ε/4.
+/// Returns whether the first points are finite, and not much larger than on the orbit with ε/4.
 fn stays_bounded<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
 where
     M: ExtendScalars<f64, N>,

@@ -31,8 +31,8 @@ pub enum Need {
     /// coordinate.
     Trajectory,
     /// The orbit preserves the integrals. The error is the largest relative change of the map's own
-    /// integrals, which only rounding causes ([`Scene::condition`]). A composition does not
-    /// preserve these, so its error is the change of the flow's integrals.
+    /// integrals, which only rounding causes ([`Scene::condition`]). For a composition, the error
+    /// is the change of the flow's integrals.
     Integrals,
 }
 
@@ -96,8 +96,8 @@ impl Scene {
     /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, for [`Need::Integrals`].
     ///
     /// The condition is the factor by which relative changes of the state are amplified. The
-    /// default 4 is typical of a polynomial H of degree 2 whose terms partly cancel, so that |H| is
-    /// half the sum of their absolute values. Near zeros of H the condition is much larger.
+    /// default 4 is typical if H is a homogeneous polynomial of degree 2, and |H| is half the sum
+    /// of the absolute values of its terms. Near zeros of H the condition is much larger.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {
         self.condition = condition;

@@ -75,7 +75,7 @@ impl Setting {
         });
     }
 
-    /// Shows each point of the orbit in full precision, while `go_on` returns `true`.
+    /// Calls `go_on` with the number and the coordinates of each point, until it returns `false`.
     pub(super) fn follow<M, const N: usize>(
         &self,
         map: &M,

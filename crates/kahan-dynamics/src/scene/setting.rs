@@ -6,7 +6,7 @@ use kahan_core::Composition;
 
 use super::{Need, Precision, Scene, Scheme};
 
-/// Below this tolerance, rounding ε to `f64` changes the end time of an orbit too much.
+/// For smaller tolerances, rounding ε to `f64` changes the end time of an orbit too much.
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A [`Scheme`] with ε and a number of steps, for the time span of a [`Scene`](crate::Scene).
@@ -25,10 +25,11 @@ pub struct Setting {
 }
 
 impl Scene {
-    /// Builds a setting of about `steps` steps over the whole time, with an infinite error.
+    /// Builds a setting of about `steps` steps over the whole time. The error is infinite, because
+    /// it is not measured.
     ///
-    /// In `Dd`, ε is rounded to `f64`. If this shifts the end time too much for the tolerance of a
-    /// trajectory, the number of steps becomes a power of 2, with which ε is exact.
+    /// In `Dd`, ε is rounded to `f64`. For a trajectory with a very small tolerance, the number of
+    /// steps becomes a power of 2, so that ε is exact.
     ///
     /// # Panics
     /// If the horizon is not finite and positive, or `steps` is 0.

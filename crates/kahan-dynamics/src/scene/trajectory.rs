@@ -91,7 +91,7 @@ impl Budget {
         F: QuadraticField<f64, N>,
     {
         let flow = self.flow(scene, field, start).ok()?;
-        // Coordinates of the second start are scaled differently, like independent rounding errors.
+        // Different factors for the coordinates imitate independent rounding errors.
         let factor = |i: usize| {
             if i.is_multiple_of(2) { 1.0 + NEARBY_START_DISTANCE } else { 1.0 - 0.75 * NEARBY_START_DISTANCE }
         };
@@ -125,7 +125,7 @@ where
     M: ExtendScalars<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, TrajectoryFailure> {
-        // In the first trial, the motion turns by about 8 radians per step on average.
+        // The first trial is coarse: the motion turns by about 8 radians per step.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = TrialOrbits { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::counted(runs, self.scene.tolerance);
@@ -135,7 +135,7 @@ where
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < MIN_STOPPING_ERROR {
-                    // `best` is doubled, as rounding errors may be larger at the ε chosen for it.
+                    // The factor 2 allows for another ε, where rounding errors may be larger.
                     NoSetting::OutOfReach {
                         best: libm::exp2(libm::log2(2.0 * REFERENCE_ACCURACY_FACTOR * least_error).ceil()),
                     }
@@ -184,8 +184,8 @@ where
             last = n;
             worst = worst.max(along.distance(dt * Dd::from(n as f64), x));
             if n == setting.steps {
-                // The time of the last point may differ from the horizon, so this point is compared
-                // at both times.
+                // The last point is compared with the flow at its own time, and also at the
+                // horizon.
                 worst = worst.max(flow.distance(scene.horizon.into(), x));
             }
             worst <= lost

@@ -14,12 +14,11 @@ use crate::modular::weights::reduce;
 pub struct BasisValues {
     /// The coefficients in the order of the monomials. The chosen unit monomial has coefficient 1.
     pub coefficients: Vec<f64>,
-    /// The condition number of the linear system for the coefficients, in which each monomial is
-    /// scaled by its largest value. It grows if points lie close together.
+    /// The condition number of the linear system for the coefficients cₖ, in which each monomial mₖ
+    /// is scaled by its largest value. It grows if points lie close together.
     ///
-    /// If the points have a relative error u, each product cₖ max |mₖ| of a coefficient and a
-    /// monomial has an error of about `condition`·u or less, relative to the largest of these
-    /// products.
+    /// Let the points have a relative error u, and let Mₖ be the largest |mₖ| at the points. Then
+    /// the error of each cₖMₖ is at most about `condition`·u times the largest |cₖMₖ|.
     pub condition: f64,
 }
 

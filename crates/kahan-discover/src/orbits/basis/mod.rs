@@ -31,9 +31,8 @@ use crate::orbits::relations::Relations;
 pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
-/// A sum of monomials with integer factors: pairs (index of a monomial, factor), sorted by index.
-/// The first factor is 1. In the relation, the coefficient of each monomial is its factor times the
-/// coefficient of the first monomial.
+/// A sum Σ fₖmₖ of monomials mₖ with integer factors fₖ, as pairs (index of mₖ, fₖ) sorted by
+/// index. The first factor is 1. The relation multiplies the sum by one coefficient.
 pub type Term = Vec<(usize, i64)>;
 
 /// Monomials mₖ with one relation Σ cₖ mₖ(x) = 0 along every orbit.
@@ -88,7 +87,6 @@ impl Basis {
     pub fn term_texts(&self, states: &[String], notation: &dyn Notation) -> Vec<String> {
         let text = |term: &Term| {
             let mut text = String::new();
-            // The highest monomial is written first, unless its sign is negative.
             let mut places = term.clone();
             if places.last().is_some_and(|&(_, factor)| factor > 0) {
                 places.reverse();
@@ -133,7 +131,8 @@ impl Basis {
         quotients.collect()
     }
 
-    /// Returns the integral t₁/t₀ of a relation c₀t₀ + c₁t₁ = 0 with at most eight monomials.
+    /// Returns the integral t₁/t₀ of a basis with the relation c₀t₀ + c₁t₁ = 0 and at most eight
+    /// monomials. Returns `None` for any other basis.
     pub(crate) fn quotient_of_terms(
         &self,
         searched: &SearchField,
@@ -228,9 +227,8 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
     if powers.is_empty() { "1".to_owned() } else { notation.product(&powers) }
 }
 
-/// Chooses the shortest bases until `wanted` integrals are independent, or no candidate is left.
-/// Known integrals count, too: `gradients` holds their gradients at `place`. The gradients of new
-/// integrals are appended.
+/// Takes `candidates` in order until `wanted` integrals are independent. `gradients` holds the
+/// gradients of known integrals at the point `place`, and receives those of new ones.
 pub(crate) fn choose_bases(
     candidates: &[Basis],
     wanted: usize,
@@ -337,8 +335,8 @@ fn reduced_in(
     Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }
 
-/// Returns the basis of these monomials, in which the lowest one has the coefficient 1. Returns
-/// `None` if a state divides all of them, because their quotients by the state are a basis, too.
+/// Returns the basis of these monomials, with coefficient 1 for the lowest one. Returns `None` if a
+/// state divides all monomials, because the quotients give a basis of lower degree.
 fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
     let n = monomials.variables();
     if support.len() < 2 {

@@ -54,7 +54,7 @@ fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Rando
         let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
         let width = basis.terms.len();
         let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
-        // With fewer independent rows than `width` − 1, this point decides nothing.
+        // Too few independent rows allow several relations, so another point is tried.
         if fewer < width - 1 {
             continue;
         }
@@ -92,7 +92,7 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // Each row multiplies the bound on the determinant by its length `size` and by `factors`.
+    // Each row of the determinant multiplies the bound by at most `size`·`factors`.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = PolynomialBound { degree: 0, bits: size * bits };
     for steps in [before, after] {
@@ -107,8 +107,8 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     Some(total)
 }
 
-/// Bounds numerators and denominator of the image x̃ of a point x = X/W, by Cramer's rule for the
-/// linear system A x̃ = b of a step.
+/// Bounds the numerators and the common denominator of the image of a point. The image x̃ solves
+/// the linear system A x̃ = b of a step, and Cramer's rule expresses x̃ by determinants.
 fn image(point: PolynomialBound, field: &Field, eps: Option<&Rational>) -> Option<PolynomialBound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;
@@ -116,8 +116,8 @@ fn image(point: PolynomialBound, field: &Field, eps: Option<&Rational>) -> Optio
     let sides = || field.numerators().chain(field.denominators());
     let of_coefficients = sides().map(others).max()?;
     let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
-    // Let pᵢ/qᵢ be component i of the field, and |·| the 1-norm. Row i of A has a 1-norm of at most
-    // |qᵢ| + 4 |pᵢ|. A fixed ε adds at most its own bits.
+    // Let pᵢ/qᵢ be component i of the field, and |·| the sum of absolute coefficients. For row i of
+    // the matrix A this sum is at most |qᵢ| + 4 |pᵢ|. A fixed ε adds its number of bits.
     let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
     Some(PolynomialBound {
         degree: degree.checked_mul(n)?,

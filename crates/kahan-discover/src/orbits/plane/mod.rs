@@ -52,12 +52,12 @@ const TRIED_ITERATES: [usize; 4] = [8, 16, 32, 64];
 /// 2001; Cantat 2011), and the inequality follows in the same way. So a single degree dₖ > k² + 1
 /// proves that growth is exponential and that no rational integral exists.
 ///
-/// **Degrees modulo a prime are lower bounds.** Let R be the factorial ring ℤ[parameters, ε]
-/// localised at the prime ideal of the prime and the sampled values. Let Φ be the homogeneous
-/// components of the map. By Gauss's lemma their k-th iterate is HΨ over R with a common factor H,
-/// and Ψ has degree dₖ. Suppose that a point has an image under φᵏ modulo the prime. Then Ψ modulo
-/// the prime gives this image. On a line these images are rational functions of degree at most dₖ,
-/// and Thiele's continued fraction finds no higher degree.
+/// **Degrees modulo a prime are lower bounds.** Let R be ℤ[parameters, ε], localised at the ideal
+/// of polynomials that vanish modulo the prime at the sampled values. R is factorial. Let Φ be the
+/// homogeneous components of the map. By Gauss's lemma their k-th iterate is HΨ over R with a
+/// common factor H, and Ψ has degree dₖ. Suppose that a point has an image under φᵏ modulo the
+/// prime. Then Ψ modulo the prime gives this image. On a line these images are rational functions
+/// of degree at most dₖ, and Thiele's continued fraction finds no higher degree.
 pub(crate) fn growth(
     searched: &SearchField,
     map: &ModularMap,
@@ -100,12 +100,12 @@ const LINEAR_ITERATES: usize = 200;
 /// Returns the number of iterates over which degrees grow linearly, if this excludes integrals.
 ///
 /// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre). The
-/// parameter t of the pencil changes by a Möbius map μ. Integrals and drifts are functions of t. If
-/// a drift changes by a Möbius map of infinite order, μ has infinite order, and every integral is
-/// constant.
+/// parameter t of the pencil changes by a Möbius map μ. A drift is a function F that a step changes
+/// by a Möbius map. Integrals and drifts are functions of t. If a drift changes by a Möbius map of
+/// infinite order, μ has infinite order, and every integral is constant.
 ///
-/// Drifts that become F + c with c ≠ 0, or c·F with c ≠ ±1, have infinite order. Any other drift
-/// has infinite order at generic ε if the field is defined at ε = 0. For the matrix M of its Möbius
+/// The Möbius maps F + c with c ≠ 0, and c·F with c ≠ ±1, have infinite order. Any other one has
+/// infinite order at generic ε if the field is defined at ε = 0. For the matrix M of the Möbius
 /// map, a finite order n > 1 means (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε. But at ε = 0 the map
 /// is the identity, and this quotient is 4. Linear growth itself is observed, not proved.
 pub(crate) fn linear(

@@ -16,7 +16,7 @@ use crate::modular::modulus::Modulus;
 /// The least prime to try. Modulo a prime p, a stable map appears unstable by chance with a
 /// probability of about 3/p.
 const LEAST_PRIME: u64 = 211;
-/// The search for a prime starts at a random one of this many integers from [`LEAST_PRIME`].
+/// The search for a prime starts at [`LEAST_PRIME`] plus a random number below this.
 const PRIME_SEARCH_RANGE: u64 = 1000;
 
 /// The most samples. If the three contracted lines are the roots of one irreducible equation, all
@@ -30,10 +30,10 @@ type Point = [u64; 3];
 /// Let Φ be the homogeneous components of the map φ, and Ψ those of the inverse (the map at −ε).
 /// Then Ψ∘Φ is κ times the identity, with a cubic form κ. The map contracts exactly the curves of
 /// κ. If κ is a product of linear forms, these curves are lines ℓᵢ with images qᵢ. Outside of the
-/// lines φ is injective and never takes the value qᵢ, so the orbit of qᵢ cannot return to qᵢ there.
-/// Modulo the prime there are finitely many points, so the orbit of qᵢ reaches a point of
-/// indeterminacy, or a line ℓⱼ and then qⱼ. Finitely many steps from each qᵢ therefore decide
-/// stability.
+/// lines φ is injective and never takes the value qᵢ. So the orbit of qᵢ cannot return to qᵢ before
+/// it meets a line. Modulo the prime there are finitely many points, so the orbit of qᵢ reaches a
+/// point of indeterminacy, or a line ℓⱼ and then qⱼ. Finitely many steps from each qᵢ therefore
+/// decide stability.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -57,8 +57,8 @@ struct Forms {
 
 impl Forms {
     /// Returns whether the map is stable and has degree 2. The cubic form κ must have three linear
-    /// factors, counted with multiplicity. A lower degree is noticed on one of these three lines,
-    /// where all homogeneous components of the map vanish.
+    /// factors, counted with multiplicity. If the degree is lower, all homogeneous components of
+    /// the map vanish on one of these three lines.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
         // A quadratic form with three zeros on a line vanishes on the line, so three points
@@ -69,10 +69,10 @@ impl Forms {
     }
 
     /// Returns whether the orbit of a point meets a contracted line before any point of
-    /// indeterminacy. Then it continues like the orbit of that line's image, which is tested, too.
+    /// indeterminacy. The image of that line is tested as another start.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // Every orbit meets a contracted line or a point of indeterminacy, so the loop returns.
+        // A line has about 1/`prime` of all points, so orbits meet one long before this limit.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -177,9 +177,9 @@ impl Forms {
         self.map_forms(point, self.map.eps())
     }
 
-    /// Returns (adj A · b, det A) for the linear system A x̃ = b of the map at the point (x : Z).
-    /// Here A = Z − ε f′ and b = x + ε Bx + 2ε cZ for a field f with linear part Bx and constant
-    /// part c.
+    /// Returns homogeneous coordinates (adj A · b, det A) of the image of the point (x : Z). The
+    /// map solves the linear system A x̃ = b with A = Z − ε f′ and b = x + ε Bx + 2ε cZ. The field
+    /// f has the linear part Bx and the constant part c.
     fn map_forms(&self, point: Point, eps: u64) -> Point {
         let modulus = self.modulus();
         let mut matrix = [[point[2], 0], [0, point[2]]];

@@ -2,8 +2,8 @@
 //!
 //! The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε) for A(x,ε) = I − ε f′(x), and f′K is
 //! symmetric. So P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ. In the plane P = det
-//! A · K is invariant, and so is P in direct sums of planar systems and for planar fields over a
-//! commutative algebra (the canonical systems of Petrera and Suris). P is not invariant in general.
+//! A · K is invariant. P is also invariant for direct sums of planar systems, and for the canonical
+//! systems of Petrera and Suris (planar fields over a commutative algebra), but not in general.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};

@@ -8,8 +8,8 @@ use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within, gcd_within};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
-/// Returns the bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper, for a
-/// `density` ρ and n − 2 `integrals` I. The result has the entries above the diagonal, row by row.
+/// Returns the bracket of functions F and G with {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂, for a
+/// `density` ρ and n − 2 `integrals` I. The result lists the entries above the diagonal.
 ///
 /// The bracket satisfies Jacobi's identity, and the functions I are Casimir functions. Maps that
 /// preserve ρ dx and all I preserve the bracket. Returns `None` for a zero density, for dependent
@@ -46,7 +46,7 @@ pub(super) fn invariant_tensor(
     Some(entries)
 }
 
-/// A differential dI = factor · direction. The entries of the direction are coprime polynomials.
+/// A differential dI, written as `factor` times the vector `direction` of coprime polynomials.
 struct Gradient {
     factor: RationalFunction,
     direction: Vec<Polynomial>,

@@ -35,7 +35,7 @@ const MOST_COEFFICIENTS: usize = 600;
 /// The most coefficients of all entries together up to degree 2, enough for eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
-/// The highest degree of entries in the search, if a bracket of full rank is already known.
+/// The search ends with this degree of entries if a bracket of full rank is already known.
 const HIGHEST_BESIDE: u32 = 1;
 
 /// The number of points at which tensors are compared and Jacobi's identity is checked.
@@ -57,9 +57,9 @@ struct TensorMonomials {
 pub(crate) struct PoissonTensor {
     pub(crate) rank: usize,
     pub(crate) entries: Vec<Polynomial>,
-    /// The index of the constant matrix K, if the tensor is (I − ε² f′²)K.
+    /// The index of K among the matrices found with f = K∇H, if the tensor is (I − ε² f′²)K.
     pub(crate) structure: Option<usize>,
-    /// Whether the bracket is not printed, because the printed brackets imply it.
+    /// Whether printed brackets imply this one, so that it is not printed.
     pub(crate) is_implied: bool,
 }
 
@@ -132,10 +132,10 @@ impl Candidate {
 
 /// Finds up to four brackets: independent brackets of the highest rank, and one bracket of each
 /// lower rank. Entries have degrees up to `highest`, at most 4. The brackets in `known` are
-/// candidates, too. Known brackets that are not chosen are appended, and marked as implied.
+/// candidates, too. Brackets of `known` that are not chosen are appended, and marked as implied.
 ///
-/// The search ends at the first degree with a bracket of full rank, at the deadline, or at 600
-/// coefficients of all entries (1300 up to degree 2).
+/// The search ends at the first degree with a bracket of full rank, at the deadline, or if entries
+/// need more than 600 coefficients (1300 up to degree 2).
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
     known: Vec<PoissonTensor>,
@@ -380,7 +380,7 @@ impl TensorMonomials {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // Up to a factor, only one invariant tensor has no coefficients outside of `support`.
+        // Only multiples of `part` have this support, because `part` belongs to a reduced basis.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
@@ -403,8 +403,9 @@ impl TensorMonomials {
         Some((0..self.pairs.len()).map(entry).collect())
     }
 
-    /// Returns the weights of the coefficients in `support`, minus the weight of the first one.
-    /// Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ, up to a common weight.
+    /// Returns for each coefficient in `support` its weight minus the weight of the first one.
+    /// Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ plus a weight that all entries
+    /// share.
     fn grading(&self, searched: &SearchField, support: &[usize]) -> Grading {
         let symbols = searched.family().symbols();
         let weights = searched.weights();

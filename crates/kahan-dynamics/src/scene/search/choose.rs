@@ -14,8 +14,7 @@ pub(super) const COUNTED: SearchParameters = SearchParameters {
     surplus: 1.0,
     leaps: true,
     surely: 1.5,
-    // One trial may take less than half of the remaining time, so that time is left for the trial
-    // that checks the flow.
+    // One trial takes less than half of the remaining time, so another trial can check the flow.
     share: 0.45,
 };
 /// A flow counts as accurate if some orbit in `Dd` differs from it by less than the tolerance
@@ -57,7 +56,7 @@ impl<L: Trials> Search<L> {
         for composition in Composition::BEST.into_iter().rev() {
             self.refine_order(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
-                // Lower orders need more steps, and so would have larger rounding errors.
+                // Lower orders need more steps, which increases rounding errors further.
                 break;
             }
         }
@@ -84,8 +83,8 @@ impl<L: Trials> Search<L> {
     }
 
     /// Tries larger and larger numbers of steps at one order in plain `f64`, and in other schemes
-    /// if rounding errors matter. An independent orbit in `Dd` checks the flow for an accepted
-    /// setting.
+    /// if rounding errors matter. If a setting is accepted, an independent orbit in `Dd` checks the
+    /// flow.
     fn refine_order(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
         let climb = self.refine_steps(PLAIN_DOUBLE.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {

@@ -25,8 +25,8 @@ impl<L: Trials> Search<L> {
             });
             let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
             let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
-                // Orbits of other orders agree no better with the flow, so the flow has large
-                // rounding errors.
+                // No order comes closer to the flow with more steps, so the flow has large rounding
+                // errors.
                 self.is_rough = true;
                 return;
             };

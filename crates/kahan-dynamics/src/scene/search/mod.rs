@@ -38,8 +38,8 @@ pub trait Trials {
     /// Returns the setting of a scheme with about this number of steps.
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting;
 
-    /// Returns the error of a setting, which is infinite if the setting is useless. Returns `None`
-    /// if the trial would take more than the fraction `share` of the remaining time.
+    /// Returns the error of a setting, or infinity for a very large error. Returns `None` if the
+    /// trial takes more than the fraction `share` of the remaining time.
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64>;
 
     /// Returns the price of one step.
@@ -50,9 +50,8 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to stop a scheme before its trial with `_next` steps. Success is predicted
-    /// with `_end` steps, and these would take more than the fraction `_share` of the remaining
-    /// time.
+    /// Returns whether to stop a scheme before its trial with `_next` steps. The search predicts
+    /// success with `_end` steps. A trial may take the fraction `_share` of the remaining time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
@@ -65,13 +64,13 @@ pub struct SearchParameters {
     pub enough: f64,
     /// The error at which [`Search::refine`] aims, divided by the largest accepted error.
     pub aim: f64,
-    /// The number of steps that the law error ∝ ε^order predicts is multiplied by this.
+    /// A factor, at least 1, for the number of steps that the law error ∝ ε^order predicts.
     pub surplus: f64,
-    /// Whether the search skips numbers of steps once errors follow error ∝ ε^order. Plots that
-    /// need many trials set `false`.
+    /// Whether the search skips numbers of steps once errors follow the law error ∝ ε^order. Plots
+    /// set this to `false` to get more trials.
     pub leaps: bool,
-    /// The trials of a scheme stop if the predicted cost of an accepted setting exceeds the
-    /// smallest known cost by this factor.
+    /// The trials of a scheme stop if its predicted cost is more than this many times the least
+    /// known cost.
     pub surely: f64,
     /// The fraction of the remaining time that one trial may take.
     pub share: f64,
@@ -162,8 +161,8 @@ impl<L: Trials> Search<L> {
         trial.steps as f64 * libm::pow(trial.error / error, 1.0 / f64::from(trial.scheme.order()))
     }
 
-    /// Returns whether, in `f64`, some error above `roundings` became larger with more steps. This
-    /// happens if steps of some sizes meet poles.
+    /// Returns whether an error in `f64` above `roundings`, the rounding errors, grew with more
+    /// steps. This happens if some step sizes meet poles.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN_DOUBLE.composed(trial.scheme.composition);

@@ -1,7 +1,7 @@
 //! Trials of a scheme with larger and larger numbers of steps.
 //!
-//! The trials stop if one meets the tolerance or costs more than a known setting. They also stop if
-//! the law error ∝ ε^order predicts a cost above that setting's, or if two successive trials gain
+//! The trials stop if one meets the tolerance, or if a further one costs more than a known setting.
+//! They also stop if the law error ∝ ε^order predicts such a cost, or if two successive trials gain
 //! nothing because of rounding errors.
 
 use kahan_core::Composition;
@@ -10,8 +10,8 @@ use super::{
     EQUAL_ERROR_RATIO, PHASE_LOSS_ERROR, PLAIN_DOUBLE, PLAIN_DOUBLE_DOUBLE, Scheme, Search, Setting, Trials,
 };
 
-/// The gain of a trial is the previous error divided by its error. Under the law error ∝ ε^order,
-/// log(gain) differs from the predicted logarithm by less than this fraction.
+/// Errors follow the law error ∝ ε^order if the logarithm of (previous error)/error differs from
+/// the predicted logarithm by less than this fraction.
 const ORDER_LAW_TOLERANCE: f64 = 0.3;
 /// The error below which the law error ∝ ε^order is trusted.
 const ORDER_LAW_ERROR: f64 = 0.01;
@@ -32,7 +32,7 @@ struct ErrorReduction {
     before: f64,
     /// The previous error divided by the current one.
     factor: f64,
-    /// The logarithm of `factor`, as a fraction of what the law error ∝ ε^order predicts for it.
+    /// log(`factor`) divided by the logarithm that the law error ∝ ε^order predicts.
     part: f64,
 }
 
@@ -102,8 +102,7 @@ impl<L: Trials> Search<L> {
             if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
-            // If a trial with the proposed number of steps takes too long, twice the previous
-            // number is tried.
+            // If the trial with `steps` takes too long, twice the previous number is tried.
             let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
             let mut rungs = [steps, next].into_iter();
             let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
@@ -112,8 +111,8 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS_BEFORE_CHECK {
-                // Rounding errors vary with ε. Near the tolerance, a further trial may therefore
-                // succeed by chance, and is made.
+                // Rounding errors vary with ε, so another trial near the tolerance may succeed by
+                // chance.
                 let is_near = trial.error <= ROUNDING_VARIATION * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
                     climb.has_stalled = true;
@@ -130,7 +129,7 @@ impl<L: Trials> Search<L> {
                 if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
                     break;
                 }
-                // Under the law error ∝ ε^order, trials in between are unnecessary.
+                // The trials up to the predicted number of steps are skipped.
                 if self.rules.leaps && gain.is_lawful() {
                     steps = (enough.ceil() as u64)
                         .clamp(trial.steps + 1, trial.steps.saturating_mul(MAX_STEPS_RATIO));
@@ -148,7 +147,7 @@ impl<L: Trials> Search<L> {
         other.is_none_or(|other| other.error < EQUAL_ERROR_RATIO * trial.error)
     }
 
-    /// Returns the most steps up to which errors of plain `f64` fell by the law error ∝ ε^order.
+    /// Returns the largest number of steps at which plain `f64` followed the law error ∝ ε^order.
     pub(super) fn steps_with_order_law(&self, composition: Composition, coarsest: u64) -> u64 {
         let scheme = PLAIN_DOUBLE.composed(composition);
         let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();

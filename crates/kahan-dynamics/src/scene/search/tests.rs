@@ -39,7 +39,7 @@ impl Trials for Law {
     }
 }
 
-/// Prices of a step for a given order: the number of stages, and a price that favours order 4.
+/// Two prices of a step by its order: the number of stages, and one that favours order 4.
 const PRICES: [fn(u32) -> f64; 2] = [
     |order| Composition::of_order(order).expect("an order").stages() as f64,
     |order| 0.7 + f64::from(order).powi(2),

@@ -47,7 +47,7 @@ fn is_proved(system: &System, tensor: &[RationalFunction]) -> bool {
     is_proved_at(system, &[], tensor)
 }
 
-/// Returns whether a tensor in x, y, z is Poisson. The map of the zero field preserves all tensors.
+/// Tests Jacobi's identity of a tensor in x, y, z. The map of the zero field preserves all tensors.
 fn is_poisson(tensor: &[RationalFunction]) -> bool {
     is_proved(&system("xdot = 0; ydot = 0; zdot = 0;"), tensor)
 }

@@ -7,8 +7,8 @@ fn block(file: &'static str) -> &'static str {
     rest.split_once("\n}\n").expect("the block ends").0
 }
 
-/// The systems E1 to E6. They claim the bracket P of Table 3 of the paper, and Q/c for the bracket
-/// Q of Table 4 and the function c with f = −(1/c) Q∇H.
+/// The systems E1 to E6 of Hone and Petrera claim the bracket P of Table 3, and Q/c for the bracket
+/// Q of Table 4. The function c satisfies f = −(1/c) Q∇H for the field f and its integral H.
 const TABLES: [&str; 6] = [
     include_str!("../../../../../../systems/src/catalog/e1.rs"),
     include_str!("../../../../../../systems/src/catalog/e2.rs"),
@@ -24,7 +24,7 @@ fn the_brackets_of_tables_3_and_4_come_out_of_densities_and_integrals() {
         let system = system(block(file));
         let [h, k, rho] = ["H", "K", "rho"].map(|name| stated(&system, name));
         let [p, q] = ["P", "Q"].map(|name| tensor_of(&system, name));
-        // Formulas (p1) and (q3) of the paper use ρHK, which is a density like ρ.
+        // Formulas (p1) and (q3) of Hone and Petrera use the density ρHK with integrals H and K.
         let density = &(&rho * &h) * &k;
         assert_eq!(
             bracket(&system, &-&density, std::slice::from_ref(&h)).as_ref(),
