@@ -16,7 +16,7 @@ pub struct StepListing {
     pub constants: Vec<String>,
     /// The operations that compute numerators and reciprocals.
     pub kernel: Vec<String>,
-    /// For each component, the reciprocal that multiplies its numerator. `None` without division.
+    /// The name of the reciprocal that multiplies each numerator, or `None` if there is none.
     pub reciprocals: Vec<Option<String>>,
     /// The formulas of x̃ by component.
     pub next: Vec<String>,

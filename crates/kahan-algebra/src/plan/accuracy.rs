@@ -39,7 +39,7 @@ const LEAST_TAIL_ERROR: f64 = 1000.0;
 const REFUSAL_RATIO: f64 = 1.5;
 /// A step can replace a refused step if its errors are at most this fraction of their limits.
 const REPLACEMENT_RATIO: f64 = 1.0 / 6.0;
-/// A second round is skipped if the errors are very probably below this fraction of their limits.
+/// A second round is skipped if the errors are probably below this fraction of their limits.
 const CLEARLY_WITHIN_RATIO: f64 = 0.2;
 /// A second round is skipped if the errors of the first round exceed their limits by this factor.
 const CLEARLY_BEYOND_RATIO: f64 = 3.0 * REFUSAL_RATIO;
