@@ -1,7 +1,7 @@
 //! Methods that a system lacks, with diagnostics that say which declaration is missing.
 //!
-//! The bounds of these methods are never satisfied, and therefore every call is a compile error.
-//! The methods take `&mut self`: rustc prefers declared methods of equal name with `&self`.
+//! The bounds of these methods never hold, so every call is a compile error. The methods take
+//! `&mut self`, because rustc then prefers a system's own method, which takes `&self`.
 
 use core::iter::Empty;
 
@@ -9,11 +9,11 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// A type for bounds that must never hold. It implements none of the traits below.
+/// A type that implements none of the traits below, so that bounds on it never hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 
-/// A bound that never holds: rustc prints this message if the block of S declares no integral.
+/// A bound that never holds. Its message says that the `kahan!` block of S declares no integral.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no integral",
     label = "declare one in the block: `integral H = …;`",
@@ -21,7 +21,7 @@ pub struct Block;
 )]
 pub trait DeclaresIntegral<S: ?Sized, T> {}
 
-/// A bound that never holds: rustc prints this message if the block of S declares no density.
+/// A bound that never holds. Its message says that the `kahan!` block of S declares no density.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no density",
     label = "declare one in the block: `density rho = …;`",
@@ -29,7 +29,7 @@ pub trait DeclaresIntegral<S: ?Sized, T> {}
 )]
 pub trait DeclaresDensity<S: ?Sized, T> {}
 
-/// A bound that never holds: rustc prints this message if the parameters of S are integers.
+/// A bound that never holds. Its message says that the parameters of S are integers.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{S}` are integers, and a Kahan map computes with fractions",
     label = "its parameters are integers: write `1.0`, not `1`",
@@ -65,7 +65,7 @@ pub trait WithoutDensity {
 
 /// The methods that a system with integer parameters gets.
 pub trait IntegerParameters {
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -73,7 +73,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn step_back<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -82,7 +82,7 @@ pub trait IntegerParameters {
     }
 
     #[allow(clippy::missing_errors_doc, reason = "it returns nothing")]
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn try_step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
     where
         Block: HasScalars<Self, T>,
@@ -90,7 +90,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn orbit<T, const N: usize>(&mut self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
     where
         Block: HasScalars<Self, T>,
@@ -98,7 +98,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn at<T>(&mut self, _: T)
     where
         Block: HasScalars<Self, T>,
@@ -106,7 +106,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn field<T, const N: usize>(&mut self, _: &SVector<T, N>) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -114,7 +114,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Never compiles, because its bound never holds. A call makes rustc print an explanation.
+    /// Cannot be called, because its bound never holds. A call makes rustc print an explanation.
     fn jacobian<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
     where
         Block: HasScalars<Self, T>,

@@ -1,4 +1,4 @@
-//! Replaces `BigRational` without the feature `exact`; rustc's errors then name this feature.
+//! Placeholders for `BigRational` in builds without `exact`, so that errors name this feature.
 
 use core::marker::PhantomData;
 

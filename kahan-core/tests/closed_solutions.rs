@@ -35,7 +35,7 @@ where
 }
 
 /// The flow is stored as about forty polynomials in t, each with an error below one rounding unit.
-/// Until the end, an error grows by at most 1/(4x₀) = 2.5, where x₀ = 0.1 is the initial value.
+/// Until t = 10, the equation amplifies an error by at most about 1/(4x₀) = 2.5, where x₀ = 0.1.
 #[test]
 fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     let f64s = through::<_, f64, 1>(&Logistic, [0.1], 10.0).expect("it exists");
@@ -105,7 +105,7 @@ fn a_stiff_beginning_is_seen() {
     }
 }
 
-/// While s is small, n = 2 − 2e^{−t}. Hence s = s₀ exp(100(t − 2 + 2e^{−t})).
+/// While s is small, ṅ = 2 − n and n = 2 − 2e^{−t}. Then s = s₀ exp(100(t − 2 + 2e^{−t})).
 #[test]
 fn a_component_that_is_small_keeps_its_digits() {
     let flow = through::<_, f64, 2>(&Laser, [0.0, 1e-9], 1.5).expect("it exists");
@@ -113,7 +113,7 @@ fn a_component_that_is_small_keeps_its_digits() {
         let t = f64::from(k) / 10.0;
         let exact = 1e-9 * (100.0 * (t - 2.0 + 2.0 * (-t).exp())).exp();
         let s = flow.at(t.into())[1];
-        // The neglected ∫ns dt < 1e-12 changes n, and with the factor 100 the exponent of s.
+        // The neglected ∫ns dt < 1e-12 changes n. The exponent of s changes by 100 times as much.
         assert!((s / exact - 1.0).abs() < 1e-10, "t = {t}: {s:e} for {exact:e}");
     }
 }

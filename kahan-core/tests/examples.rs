@@ -28,7 +28,7 @@ fn an_orbit_keeps_its_integrals_to_roundings() {
 #[test]
 fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
     let [confined, free] = exact::run();
-    // From step 6 to step 12, the digits grow by the factor 4 (E6) or 2⁶ (Lotka–Volterra).
+    // From step 6 to 12, digits grow by (12/6)² = 4 (E6) or, by doubling, 2⁶ (Lotka–Volterra).
     let growth = |digits: &[usize]| digits[11] as f64 / digits[5] as f64;
     assert!((3.0..5.0).contains(&growth(&confined)), "{confined:?}");
     assert!((50.0..80.0).contains(&growth(&free)), "{free:?}");
@@ -47,7 +47,7 @@ fn a_checked_step_beside_a_pole_is_right_where_the_fast_one_is_infinite() {
     let answers = near_pole::run();
     let [.., beside, behind, pole] = answers.as_slice() else { panic!("six cases") };
     assert!(beside.0.is_infinite());
-    // The float 0.1 lies above one tenth, and 1 − 2ε·5 is exactly −2⁻⁵⁴.
+    // The float 0.1 exceeds one tenth, so the denominator 1 − 2ε·5 is −2⁻⁵⁴ and not 0.
     let exact = -5.0 * 2.0_f64.powi(54);
     let is_near = |a: f64, b: f64| (a - b).abs() <= 64.0 * f64::EPSILON * b.abs();
     assert!(beside.1.as_ref().is_ok_and(|next| is_near(*next, exact)));

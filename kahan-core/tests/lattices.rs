@@ -1,4 +1,4 @@
-//! Compares chains with systems written out and with the defining equation; tests integrals.
+//! Compares chains with plain systems and with x̃ − x = 2εf(x, x̃), and tests their integrals.
 
 use kahan_core::LatticeError;
 use kahan_core::prelude::*;
@@ -160,12 +160,12 @@ fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     at.try_step(&mut next).unwrap();
     let exact = Kdv { h: rational(&h) }.at(rational(&eps), sites).unwrap();
     let [before, next] = [before, next].map(|state| state.iter().map(rational).collect::<Vec<_>>());
-    // Each row has five entries, and the rounding unit is 2⁻²⁴.
+    // `try_step` proves the bound (k + 8)·u for rows of k = 5 entries and the unit u = 2⁻²⁴.
     assert!(exact.residual(&before, &next) <= BigRational::new((5 + 8).into(), (1_i64 << 24).into()));
 }
 
-/// The terms of the residual are 350 powers of ten larger than the residual, so that its bound is
-/// useless. The step is proved by the known digits of x̃ instead.
+/// The terms of the residual are 10³⁵⁰ times as large as the residual, so that its bound is
+/// useless. `try_step` computes many digits of x̃ instead.
 #[test]
 fn a_step_whose_digits_are_known_needs_no_residual() {
     kahan! {
@@ -176,7 +176,7 @@ fn a_step_whose_digits_are_known_needs_no_residual() {
     let crowd = Crowd { q: vec![q, 0.25], r: vec![r, 2.0] };
     let mut state = vec![8.803_863_726_421_91e96, 1.0];
     crowd.at(-2.5e-99, 2).expect("a map").try_step(&mut state).expect("a step");
-    // The first site has ẋ = (x − qx²)/r². At this ε, x̃ equals 0.5/q up to rounding.
+    // At this ε, the first site's x̃ is 0.5/q up to rounding. Its equation is ẋ = (x − qx²)/r².
     assert_eq!(state, [0.5 / q, 1.0]);
 }
 
@@ -214,8 +214,8 @@ fn chains_are_of_order_two_and_go_back() {
     }
 }
 
-/// The least-squares line through a thousand values rises less than it would if all rounding errors
-/// had equal signs.
+/// A line is fitted to a thousand values of the mass, and one to those of the energy. Each line
+/// rises less than a sum of rounding errors of equal sign.
 #[test]
 fn kept_sums_have_no_slope() {
     let (sites, h, rounds) = (300, 0.25, 1000);

@@ -42,8 +42,8 @@ pub struct Entry {
 /// The source of claims that `kahan discover` found from the equations.
 pub(crate) const FOUND: &str = "found by kahan discover";
 
-/// Makes the entry of one of the systems E1 to E6, whose sources are rows of the paper's tables.
-/// The last argument is a remark about the bracket Q.
+/// Makes the entry of one of the systems E1 to E6. The sources of its claims are rows of the
+/// paper's tables. The last argument is appended to the source of the bracket Q.
 macro_rules! row_of_the_tables {
     ($i:literal, $title:literal $(, $remark:literal)?) => {
         Entry::new(concat!("e", $i), concat!("E", $i), $title, include_str!(concat!("e", $i, ".rs")))
@@ -60,7 +60,7 @@ macro_rules! row_of_the_tables {
 pub(crate) use row_of_the_tables;
 
 impl Entry {
-    /// Makes an entry without parameters, closed solution and claims, named like the type.
+    /// Makes an entry without parameters, closed solution and claims. Its name is `type_name`.
     pub(crate) const fn new(
         command: &'static str,
         type_name: &'static str,

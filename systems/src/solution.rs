@@ -2,9 +2,9 @@
 //!
 //! In the module of a system, `Solution` is an orbit of Kahan's map, with
 //! `Solution::through(&point, &eps)`, and `.at(n)` for any integer n. `FlowSolution` is a
-//! trajectory, with `FlowSolution::through(&point)` and `.at(&t)`. Parameters come first in the
-//! arguments, and `.at(0)` is the given point. Rational solutions accept every [`Scalar`], others
-//! every [`Real`](crate::special::Real).
+//! trajectory, with `FlowSolution::through(&point)` and `.at(&t)`. If the system has parameters,
+//! `through` takes them before the point. `.at(0)` is the given point. Rational solutions accept
+//! every [`Scalar`], others every [`Real`](crate::special::Real).
 
 mod reciprocal;
 
@@ -52,8 +52,8 @@ impl fmt::Display for OutOfDomain {
 
 impl core::error::Error for OutOfDomain {}
 
-/// A real branch of a hyperbolic or elliptic solution, on which an orbit stays. On the boundary
-/// between the branches, A(x, ε) = I − εf′(x) or A(x, −ε) is singular.
+/// A real branch of a hyperbolic or elliptic solution, on which an orbit stays. At its boundary, a
+/// step forward or backward is singular, with det A(x, ε) = 0 or det A(x, −ε) = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
     /// The bounded branch, which for ε → 0 tends to the solution of the flow.

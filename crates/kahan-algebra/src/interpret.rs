@@ -45,7 +45,7 @@ pub struct Evaluation<V> {
     pub rhs: Vec<V>,
     /// The determinant det A(x,ε).
     pub det_matrix: V,
-    /// The image x̃ under the reduced map.
+    /// The image x̃, or `None` at a pole of the reduced map.
     pub next: Option<Vec<V>>,
     /// The Jacobian ∂x̃/∂x of the reduced map.
     pub jacobian: Option<Vec<Vec<V>>>,
@@ -116,8 +116,8 @@ impl Interpreter {
         self.at(arithmetic, point).next()
     }
 
-    /// Returns the Jacobian ∂x̃/∂x at x̃ = `next`. The reduced map is differentiated by dual
-    /// numbers. If there is no reduced map, the Jacobian is A(x,ε)⁻¹A(x̃,−ε).
+    /// Returns the Jacobian ∂x̃/∂x, where `next` is x̃. Dual numbers differentiate the reduced map.
+    /// If there is no reduced map, the Jacobian is A(x,ε)⁻¹A(x̃,−ε).
     pub fn jacobian<A: OverRationals>(
         &self,
         arithmetic: &A,

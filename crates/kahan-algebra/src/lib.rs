@@ -9,7 +9,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Each module uses only modules above it in this list. A test checks the order.
+// Each module uses only modules that are declared above it. A test checks the order.
 pub mod prime_field;
 
 pub mod poly;
@@ -126,7 +126,7 @@ fn check_block(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnost
 }
 
 /// Returns the seed of the prover's random points, a cryptographic hash of the text. Builds are
-/// therefore reproducible. The only known way to get a false claim accepted is to try many texts.
+/// therefore reproducible. The points can be influenced only by trying many texts.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
     let text: Vec<&str> = tokens.iter().map(|token| &*token.text).collect();

@@ -7,9 +7,9 @@
 //! theorems hold in any dimension.
 //!
 //! **Polarisation.** Let I = a·x + xᵀCx with a symmetric constant matrix C, dI/dt = 0 and Cf
-//! affine. Then I − ε² fᵀCf is an integral. Proof: write I = a·x + yᵀCy with affine functions y of
-//! x whose derivatives ℓ are affine. Let ỹ, ℓ̃ and Ĩ be y, ℓ and I at x̃. Polarise dI/dt = 2ℓᵀCy +
-//! a·f = 0 to ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0, and ẏ = ℓ to ỹ − y = ε(ℓ + ℓ̃). Then
+//! affine. Then I − ε² fᵀCf is an integral. Proof: write I = a·x + yᵀCy with affine functions y
+//! whose derivatives ẏ = ℓ along the field are affine. A tilde denotes values at x̃. Polarise
+//! dI/dt = 2ℓᵀCy + a·f = 0 to ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0, and ẏ = ℓ to ỹ − y = ε(ℓ + ℓ̃). Then
 //!
 //! Ĩ − I = ε(ℓ + ℓ̃)ᵀC(y + ỹ) − 2ε(ℓᵀCỹ + ℓ̃ᵀCy) = ε(ℓ̃ − ℓ)ᵀC(ỹ − y) = ε²(ℓ̃ᵀCℓ̃ − ℓᵀCℓ).
 //!
@@ -49,8 +49,8 @@ pub enum Rule {
     Polarisation,
     /// Let y be a vector of affine functions of x with ẏ = mNy, where m is affine and N a constant
     /// matrix with N² = −δ, δ > 0. If yᵀQy is an integral of the flow, then yᵀQy/(1 + ε²δm²) is an
-    /// integral of the map. If m is also an integral, so is yᵀQy. For example, affine functions s
-    /// and c with ṡ = αcm and ċ = −βsm for constants αβ > 0 give (βs² + αc²)/(1 + ε²αβm²).
+    /// integral of the map. For example, let s and c be affine with ṡ = αcm and ċ = −βsm, where
+    /// αβ > 0 is constant. Then (βs² + αc²)/(1 + ε²αβm²) is an integral.
     Rotation,
     /// Like [`Rotation`](Rule::Rotation), but with δ < 0. Affine functions s and w with ṡ = κsm and
     /// ẇ = −κwm for a constant κ give sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its
@@ -71,9 +71,9 @@ pub struct ModifiedIntegral {
 
 /// Returns all integrals by polarisation and rotation within a bounded amount of work.
 ///
-/// First comes a basis of the linear integrals, then integrals by polarisation, without products of
-/// linear integrals. Integrals by rotation come last, ordered by m of [`Rule::Rotation`].
-/// All integrals are linearly independent, and usually also functionally independent.
+/// First comes a basis of the linear integrals. Integrals by polarisation follow, but no products
+/// of linear integrals. Integrals by rotation come last, ordered by m of [`Rule::Rotation`]. All
+/// are linearly independent, and usually also functionally independent.
 #[must_use]
 pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     let Ok(flow) = Flow::of(field, &mut budget()) else { return Vec::new() };
@@ -84,9 +84,9 @@ pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
 }
 
 /// Returns an integral of the map from `integral`, an integral of the flow of degree at most 2. At
-/// ε = 0, an integral by polarisation equals `integral`; one by rotation may differ from it by an
-/// added constant and a factor without states. Returns `None` if neither theorem applies, or if the
-/// work is too large.
+/// ε = 0, an integral by polarisation equals `integral`. An integral by rotation equals
+/// a·`integral` + b there, where a and b contain no states. Returns `None` if neither theorem
+/// applies, or if the work is too large.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
@@ -127,10 +127,11 @@ impl From<OverBudget> for NoIntegral {
     }
 }
 
-/// An affine function y with its derivative ẏ, or with ẏ/m for a fixed affine function m.
+/// A function y and its slope: ẏ for polarisation, ẏ/m for rotation with an affine m.
 type WithSlope = (Polynomial, Polynomial);
 
-/// A product `value` of two linear integrals. It contains the product of the two states `pair`.
+/// A product `value` of two linear integrals. The product of the two states `pair` occurs in it,
+/// but in no later `value`.
 #[derive(Clone)]
 struct Product {
     value: Polynomial,
@@ -205,8 +206,7 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns all products of two linear integrals, with squares last. No later product contains
-    /// the product of the states in a product's `pair`.
+    /// Returns all products of two linear integrals, with squares last.
     fn products(
         &self,
         relations: &[Relation],
@@ -257,7 +257,7 @@ impl<'a> Flow<'a> {
                 second.push(twice);
             }
             for delta in deltas {
-                // Let Dy = ẏ/m. Find the affine functions y with D(Dy) = −δy.
+                // Let Dy = ẏ/m and `twice` = D(Dy). Find the affine y with D(Dy) = −δy.
                 let vector = |(value, twice): (&Polynomial, &Polynomial)| {
                     twice.add_within(&delta.mul_within(value, budget)?, budget)
                 };
@@ -275,8 +275,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of affine functions λᵢ and functions vₖ, given
-    /// with their derivatives. The first `constant` λᵢ are integrals; their products are omitted.
+    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ with the λᵢ in `forms` and the vₖ in `further`.
+    /// The first `constant` entries of `forms` are integrals; their products are omitted.
     fn invariants(
         &self,
         forms: &[WithSlope],
@@ -374,7 +374,7 @@ impl<'a> Flow<'a> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
-        // I becomes homogeneous with a variable x₀ = 1. Its derivative by x₀ is `first`.
+        // A further variable x₀ = 1 makes I a quadratic form. Its derivative by x₀ is `first`.
         let mut first = integral.scale(&Rational::from(2));
         for (variable, slope) in slopes.iter() {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
@@ -401,8 +401,8 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(NoIntegral);
         }
-        // The sum u̇/m + δy must be 0 for each y. For `first` it may be another constant, because a
-        // change of the constant term of I makes it 0.
+        // For each y, u̇/m + δy must be 0. For `first`, any constant is allowed in place of 0,
+        // because a constant can be added to I.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;

@@ -31,7 +31,7 @@ fn step_each<T: Scalar, M: KahanMap<T, N>, const N: usize>(
     points
 }
 
-/// Steps each point by the formulas that lanes run.
+/// Steps each point separately, by the formulas of steps in SIMD lanes.
 fn step_each_as_lanes<T, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     mut points: Vec<SVector<T, N>>,
@@ -96,7 +96,7 @@ fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Compares ensembles on every instruction set with single steps, for a step without lanes.
+/// Compares ensembles on every instruction set with single steps, for maps without SIMD code.
 fn every_level_computes_as<T: EnsembleScalar, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     start: &[SVector<T, N>],

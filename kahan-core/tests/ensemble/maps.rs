@@ -1,4 +1,4 @@
-//! Compares an ensemble with one map per trajectory, bit for bit, with ensembles of a single map.
+//! Tests that each trajectory of an ensemble has the bits of its own map.
 
 use kahan_core::observe::{Extrema, Lyapunov};
 use kahan_core::prelude::*;
@@ -51,7 +51,7 @@ fn each_trajectory_has_the_bits_of_its_own_map() {
     let lorenz = |k: usize| Lorenz { sigma: 10.0, rho: 20.0 + 0.1 * k as f64, beta: 8.0 / 3.0 };
     check(&|k| lorenz(k).at(eps(k)), |x| x);
     check(&|k| lorenz(k).at(eps(k)).composed(Composition::SUZUKI_4), |x| x);
-    // This ε is so small that the step must not divide by it.
+    // At this small ε, the formulas that divide by ε must not be used.
     check(&|k| lorenz(k).at(if k % 3 == 0 { 1e-30 } else { eps(k) }), |x| x);
     check(&|k| E6.at(eps(k) as f32), |x| x as f32);
     let top =

@@ -44,8 +44,8 @@ fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     }
 }
 
-/// Each step multiplies tangent vectors v by 2⁴⁰ or 2⁻⁴⁰, by adding an increment to v. If v
-/// shrinks, the increment is close to −v, and only 13 bits of the sum are correct.
+/// Each step multiplies tangent vectors v by 2⁴⁰ or 2⁻⁴⁰. The computed result is v plus an
+/// increment. With 2⁻⁴⁰, the increment is close to −v, and only 13 bits of the sum are correct.
 #[test]
 fn steep_growth_leaves_no_range() {
     let eps = 1.0 - 2_f64.powi(-39);
@@ -76,8 +76,8 @@ fn an_integrable_map_has_no_exponent_beyond_its_error() {
     }
 }
 
-/// In n variables, the product of the lengths of orthogonalised vectors has about n² rounding
-/// errors. The Jacobian's condition number, below 2 here, multiplies these errors.
+/// In n variables, n tangent vectors are orthogonalised. The product of their lengths has about n²
+/// rounding errors, multiplied by the Jacobian's condition number, which is below 2 here.
 #[test]
 fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
     let (start, steps) = (vector![1.0, 1.0, 20.0], 5_000);

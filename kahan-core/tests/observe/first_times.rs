@@ -38,7 +38,7 @@ fn compensated_and_scaled_orbits_show_the_points_that_they_yield() {
 fn returns_are_counted_after_leaving() {
     let slow = Turn.at(0.01);
     let back = slow.orbit(vector![1.0, 0.0]).observe(1000, Period::within(0.1, [0.0; 2])).unwrap();
-    // One revolution takes 2π/(2 arctan ε) = 314.17 steps, the last 5 within the radius 0.1.
+    // The orbit is within 0.1 of the start after 309.17 of 2π/(2 arctan ε) = 314.17 steps.
     assert_eq!(back.step, 310);
     assert_eq!(slow.orbit(vector![1.0, 0.0]).observe(300, Period::within(0.1, [0.0; 2])), None);
 }

@@ -28,7 +28,6 @@ fn indicators_tell_a_torus_from_the_chaotic_sea() {
     assert!((torus.2.mean - 2.0).abs() < 0.25 && sea.2.mean > 20.0, "MEGNO {torus:?} {sea:?}");
 }
 
-/// Computes the defining sums in a plain loop with the Jacobian.
 #[test]
 fn indicators_are_their_definitions() {
     let map = HenonHeiles.at(EPS);

@@ -170,8 +170,8 @@ fn a_start_on_the_section_is_neither_a_crossing_nor_a_jump() {
     assert_eq!((found.points.all, found.jumps), (0, 1));
 }
 
-/// The circle touches x = 1 from inside. A line x = c with c slightly below 1 is crossed twice if a
-/// point of the orbit has x > c.
+/// The circle touches the line x = 1 from inside. In each revolution, a line x = c < 1 is crossed
+/// twice if a point of the orbit has x > c.
 #[test]
 fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     for eps in [0.02, -0.02, 1e-4] {
@@ -213,7 +213,6 @@ fn units_do_not_matter() {
     }
 }
 
-/// The longer chain is divided into parts.
 #[test]
 fn chains_cross_and_jump() {
     for sites in [3, 700] {

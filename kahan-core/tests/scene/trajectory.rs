@@ -18,7 +18,7 @@ pub(crate) struct Trajectory<M: ExtendScalars<f64, N>, const N: usize> {
 const HIGHEST: Composition = Composition::KAHAN_LI_8;
 
 impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
-    /// Creates a trajectory that ends after the horizon, where orbits with a rounded ε may end.
+    /// Creates a trajectory a little beyond the horizon, which orbits with a rounded ε may reach.
     pub(crate) fn new(map: &M, x0: &SVector<f64, N>, horizon: f64, steps: usize) -> Self {
         let map = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
         let dt = horizon / steps as f64;

@@ -1,9 +1,9 @@
 //! E1 of Hone and Petrera (Section 3; Table 1, i = 1). The flow has the integrals `H = y/x` and
-//! `K = x z + y^2`. Its field is `-P dK = -(1/c) Q dH`, where `c = 1/x^2`, and P and Q are the
-//! Lie-Poisson tensors of the Lie algebras A(3,3) and sl(2,R). For the map, the block claims H and
-//! K (Table 2), the density (Theorem 1), and two compatible brackets (Theorem 2): `P` of Table 3,
-//! and `Q` of Table 4 divided by c. The numerators of the map and det A have the common factor
-//! `1 + eps x`, whose zeros are removable poles.
+//! `K = x z + y^2`. Its field equals `-P dK` and also `-(1/c) Q dH`. Here `c = 1/x^2`, and P and Q
+//! are the Lie-Poisson tensors of the Lie algebras A(3,3) and sl(2,R). For the map, the block
+//! claims H and K (Table 2), the density (Theorem 1), and two compatible brackets of its own
+//! (Theorem 2): `P` of Table 3, and `Q` of Table 4 divided by c. The numerators of the map and det
+//! A have the common factor `1 + eps x`, whose zeros are removable poles.
 
 mod solution;
 

@@ -2,8 +2,8 @@
 //! `K = (x^2 + y^2 + z^2)/2`, and the field `-P dK = -(1/c) Q dH`, where `c = 1/x^2`, and P and Q
 //! are the Lie-Poisson brackets of A(3,3) and so(3). For the map, the block claims H and K (Table
 //! 2), the density (Theorem 1), and compatible brackets (Theorem 2): `P` of Table 3, and `Q` of
-//! Table 4 over c. In {y,z} and {z,x} of Q, Table 4 has z instead of z^2 (erratum A1). The zeros of
-//! the common factor `1 + eps z` of the map are removable poles.
+//! Table 4 over c. In {y,z} and {z,x} of Q, Table 4 wrongly prints z in place of z^2 (erratum A1).
+//! The zeros of the common factor `1 + eps z` of the map are removable poles.
 
 mod flow;
 mod solution;

@@ -2,8 +2,8 @@
 //! on xi. At xi = 1 the system is E1, at xi = -1 it is E2. The map has the integral
 //! `(y/x) Gamma(xi/2 + u)/Gamma(1 - xi/2 + u)` with `u = 1/(2 eps x)`, which is rational for
 //! integer xi. The block claims the density for every xi, and all structures of E1 and E2 at xi = 1
-//! and -1. At xi = 2, 3, -2, -3 it claims the integral, and at xi = 2, 3 a bracket with this
-//! Casimir function, up to factors of eps and xi.
+//! and -1. At xi = 2, 3, -2, -3 it claims the integral, without constant factors. At xi = 2 and 3
+//! it also claims a bracket with this integral as Casimir function.
 
 mod flow;
 mod integrals;

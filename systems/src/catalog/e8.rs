@@ -1,8 +1,8 @@
 //! E8 of Hone and Petrera (Section 6). The flow has the integrals `H = x e^(-y/x)` and
-//! `K = x z + y^2`, and is `-P dK = -(1/c) Q dH` with two Lie-Poisson brackets P and Q and
-//! `c = -e^(-y/x)/x` (erratum A2). The block claims the density, which the paper omits. The map has
-//! the integral `y/x + digamma(1/2 + u)` with `u = 1/(2 eps x)`, and a second integral that is a
-//! series.
+//! `K = x z + y^2`, and its field equals `-P dK` and also `-(1/c) Q dH`. Here P and Q are
+//! Lie-Poisson brackets, and `c = -e^(-y/x)/x` (erratum A2). The block claims the density, which
+//! the paper omits. The map has the integral `y/x + digamma(1/2 + u)` with `u = 1/(2 eps x)`, and a
+//! second integral that is a series.
 
 mod flow;
 mod integrals;

@@ -1,9 +1,10 @@
 //! The Euler top (Hone and Petrera, Section 2). The flow has the integrals g1 x^2 + g2 y^2 + g3 z^2
-//! for all numbers g with g1 a1 + g2 a2 + g3 a3 = 0. With `X = 1 - eps^2 a2 a3 x^2`,
+//! for all numbers g1, g2, g3 with g1 a1 + g2 a2 + g3 a3 = 0. With `X = 1 - eps^2 a2 a3 x^2`,
 //! `Y = 1 - eps^2 a3 a1 y^2` and `Z = 1 - eps^2 a1 a2 z^2`, the map has the integrals `Y/Z` and
-//! `Z/X`, and the density `1/Z^2`. A density 1/phi and an integral I with the derivatives I_x, I_y,
-//! I_z give the bracket `({x,y}, {y,z}, {z,x}) = phi (I_z, I_x, I_y)`. Brackets with equal phi are
-//! compatible: `P` with `I = Y/(2 eps^2 a1 Z)`, and `Q` with `I = -X/(2 eps^2 a2 Z)`.
+//! `Z/X`, and the density `1/Z^2`. A density 1/phi and an integral I give the bracket
+//! `({x,y}, {y,z}, {z,x}) = phi (I_z, I_x, I_y)` with derivatives I_x, I_y, I_z. The brackets `P`
+//! and `Q` have `I = Y/(2 eps^2 a1 Z)` and `I = -X/(2 eps^2 a2 Z)`. They are compatible, because
+//! phi is equal.
 
 mod solution;
 

@@ -1,7 +1,7 @@
 //! Hénon and Heiles' system with the Hamiltonian (p^2 + q^2 + a x^2 + b y^2)/2 + x^2 y - c y^3/3.
 //! For generic a, b, c the degrees of the map's iterates grow exponentially; therefore the map is
-//! not integrable. The map preserves the modified Hamiltonian H, which the block multiplies by 6,
-//! and the volume with density 1/det A.
+//! not integrable. The map preserves the volume with density 1/det A, and a modified Hamiltonian.
+//! The block claims H, which is 6 times the latter.
 
 use kahan_core::prelude::*;
 

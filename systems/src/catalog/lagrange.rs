@@ -60,5 +60,4 @@ pub const ENTRY: Entry = Entry::new(
     ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
 ]);
 
-/// The source of integrals found in a longer form, then simplified by means of the others.
 const FOUND_TIDIED: &str = "found by kahan discover, then simplified by the other integrals";

@@ -1,5 +1,5 @@
-//! The Lorenz system, a control without structures to preserve. For generic s, r, b,
-//! `kahan discover` finds no integral up to degree 9, and no density 1/P with P up to degree 8.
+//! The Lorenz system, for comparison with systems whose structures are preserved. For generic s, r,
+//! b, `kahan discover` finds no integral up to degree 9, and no density 1/P with P up to degree 8.
 
 use kahan_core::prelude::*;
 

@@ -1,6 +1,6 @@
 //! Nahm's equations of magnetic monopoles, reduced by octahedral symmetry (Hitchin, Manton and
 //! Murray). The flow has the integral `y (2x + 3y) (x - y)^2`, whose level curves are elliptic. The
-//! map preserves this integral divided by a polynomial, and the flow's area
+//! map preserves a quotient of this integral and a polynomial. Flow and map preserve the area
 //! `dx dy/(y (2x + 3y) (x - y))`.
 
 use kahan_core::prelude::*;

@@ -1,6 +1,6 @@
 //! The periodic Volterra lattice with three sites. The map preserves `x + y + z`, the volume
 //! `dx dy dz/(x y z)` and `x y z/D`, where D = det A is `1 - eps^2 ((x+y+z)^2 - 4 (xy+yz+zx))`. At
-//! large steps the terms of D cancel, which tests the accuracy of steps in floats.
+//! large steps the terms of D cancel. Therefore this system tests the accuracy of steps in floats.
 
 use kahan_core::prelude::*;
 

@@ -1,6 +1,6 @@
 //! The Korteweg-de Vries equation u_t = −6 u u_x − u_xxx on a ring of sites at distance h. Central
 //! differences of H = Σ (½u_x² − u³) give the Hamiltonian form u_t = D ∇H with D = (S − S⁻¹)/2h and
-//! the shift S. Therefore the map preserves a modified energy.
+//! the shift S. D is constant and antisymmetric; therefore the map preserves a modified energy.
 
 use kahan_core::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Families, which are systems with any number of sites. Each file has a `kahan!` block with the
-//! sums that its map preserves; the number of sites is chosen at run time.
+//! Families are systems with any number of sites, which is chosen at run time. Each file has a
+//! `kahan!` block, in which the preserved sums over all sites are claimed.
 //! `kahan discover --sites N` finds further integrals for N sites.
 
 mod kdv;

@@ -11,7 +11,7 @@ use super::{OutOfDomain, integer, require, shift_and_divisor};
 
 /// A system with ẋ = −x², with the formulas for y and z on its trajectories.
 pub trait ReciprocalFlow<T>: Sized {
-    /// Returns the value at a point of an integral β of the flow, such as y/x or xy.
+    /// Returns an integral β of the flow, such as y/x or xy, at a point with these coordinates.
     fn beta(x: T, y: T) -> T;
 
     /// Returns the point of the trajectory at `time` = T = t + α.

@@ -124,7 +124,7 @@ fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
 fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);
-    // The series neglects terms of degree 8 in `spreads`, which `bound` keeps below the precision.
+    // Below `bound`, the neglected terms of degree 8 in `spreads` are smaller than rounding errors.
     let bound = T::epsilon().sqrt().sqrt().sqrt() * quarter;
     loop {
         let mean = (x + y + z) * third;
@@ -138,8 +138,8 @@ fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     }
 }
 
-/// Computes the expansion of R_F about equal arguments up to degree 7, in E₂ = XY + YZ + ZX and E₃
-/// = XYZ for the relative differences X, Y, Z, which have sum 0.
+/// Returns √μ·R_F, expanded to degree 7 in the relative differences X, Y, Z of the arguments from
+/// their mean μ. Here X + Y + Z = 0, E₂ = XY + YZ + ZX and E₃ = XYZ.
 fn rf_series<T: Real>([dx, dy, dz]: [T; 3]) -> T {
     let e2 = dx * dy - dz.square();
     let e3 = dx * dy * dz;

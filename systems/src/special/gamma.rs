@@ -1,5 +1,5 @@
-//! Γ and ψ of [`Float256`](super::Float256). An asymptotic series gives them at a larger argument,
-//! and a recurrence leads back to x. Floats use other crates (see [`Real::gamma`]).
+//! Γ and ψ of [`Float256`](super::Float256). An asymptotic series gives Γ(x + n) or ψ(x + n) for
+//! large n, and a recurrence leads back to x. Floats use other crates (see [`Real::gamma`]).
 
 use super::Real;
 

@@ -26,7 +26,7 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 ///
 /// If 2σ is an integer with |2σ| ≤ 64, R or its reciprocal is a polynomial, which is evaluated.
 /// Otherwise a series gives R at a larger argument, and a recurrence leads back to w. The
-/// recurrence has at most about 12 + 2|σ| factors, in [`Float256`](super::Float256) 40 + 2|σ|.
+/// recurrence has at most about 12 + 2|σ| factors (40 + 2|σ| for [`Float256`](super::Float256)).
 ///
 /// In `f64`, for |σ| ≤ 3, the error is at most 4 ulp for w ≥ 20, and 40 ulp for 0 ≤ w ≤ 20. For
 /// −20 ≤ w < 0 the error is at most 64 ulp away from the poles.

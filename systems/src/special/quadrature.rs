@@ -7,7 +7,7 @@ use super::Real;
 pub struct Integral<T> {
     /// The value of the integral.
     pub value: T,
-    /// The difference of the sums for the last two step sizes, usually much larger than the error.
+    /// The difference of the last two approximations to `value`. The error is usually much smaller.
     pub change: T,
 }
 
@@ -27,7 +27,7 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     if half_width.is_zero() {
         return Integral { value: T::zero(), change: T::zero() };
     }
-    // For u > `reach`, the weight cosh u·e^(−π sinh u) is below the square of the precision.
+    // For u > `reach`, the weight cosh u·e^(−π sinh u) is below the square of `T::epsilon()`.
     let reach = (T::from_int(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
     let reach = libm::log(reach + (reach * reach + 1.0).sqrt()) + 0.2;
     let quarter_turn = T::pi() * T::half();
@@ -44,7 +44,7 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
         // The weight is cosh u/cosh² s with s = ½π sinh u.
         let weight = twice_cosine * T::from_int(2) * power / sum.square();
         let (left, right) = (*from + distance, *to - distance);
-        // If a node is rounded to an end of the interval, its weight is negligible.
+        // A node that is rounded to an end of the interval is skipped: f may be singular there.
         let value = |x: &T, end: &T| if x == end { T::zero() } else { f(x) };
         weight * (value(&left, from) + value(&right, to))
     };

@@ -2,10 +2,10 @@
 //! and E8 contain these series.
 //!
 //! Let w_j = N + j + 1/2 for j ≥ 0. The summands are Σ_i w_j^(−s−2i)(a_i + b_i ln w_j + c_i ln²
-//! w_j) with coefficients a_i, b_i, c_i. The Euler–Maclaurin formula for midpoints sums each power:
-//! Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))]. Derivatives
-//! with respect to s yield the logarithms. They are the coefficients of a polynomial in η, a jet,
-//! for the exponent s + η.
+//! w_j) with coefficients a_i, b_i, c_i. The Euler–Maclaurin formula for midpoints gives the sum of
+//! each power: Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))].
+//! Its derivatives with respect to s give the sums with logarithms. The code expands the formula at
+//! s + η in powers of η up to η²; such a polynomial is called a jet.
 
 use super::Real;
 use super::gamma::asymptotic_from;
@@ -14,7 +14,7 @@ use super::gamma_ratio::{binomial_sum, middle_values};
 /// A jet z₀ + z₁η + z₂η², where η³ = 0.
 type Jet<T> = [T; 3];
 
-/// Returns the least N for which the expansions have full precision if |ξ| ≤ |`size`| for E7's ξ.
+/// Returns an N at which the expansions are precise: `size` is ξ for E7, and 0 for E8.
 pub(crate) fn asymptotic_start<T: Real>(size: &T) -> i64 {
     2 * asymptotic_from::<T>() + 4 * size.abs().to_f64().ceil() as i64
 }
@@ -27,9 +27,8 @@ fn order<T: Real>() -> usize {
 /// Returns Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = 1/R(N + j, σ), σ = (ξ −
 /// 1)/2 and R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ). Requires ξ > 0 and N ≥ [`asymptotic_start`].
 ///
-/// Let w = N + j + 1/2, and let p_n(σ) be the Bernoulli polynomial of degree n without its term of
-/// degree n − 1. The term with index j is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m 2p_{2m+1}(σ)/(m(2m+1)
-/// w^(2m)).
+/// Let w = N + j + 1/2, and p_n(σ) = B_n(σ) + n σ^(n−1)/2 with the Bernoulli polynomial B_n. The
+/// term with index j is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m 2p_{2m+1}(σ)/(m(2m+1) w^(2m)).
 pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     let sigma = (*xi - T::one()) * T::half();
     let numbers: Vec<T> = core::iter::once(T::one()).chain(T::bernoulli().iter().copied()).collect();
@@ -80,7 +79,8 @@ fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
         let exponent = *s + T::from_int(2 * i as i64);
         let series = power_sum(&exponent, &inverse_square, &middle[..coefficients.len() - i]);
         let [z0, z1, z2] = multiply(power, series);
-        // The operator −d/ds multiplies w^(−s) by ln w.
+        // −d/ds multiplies w^(−s) by ln w. Hence −z1 is the sum with ln w, and 2·z2 that with ln²
+        // w.
         sum += scale * (*a * z0 - *b * z1 + T::from_int(2) * *c * z2);
         scale *= inverse_square;
     }

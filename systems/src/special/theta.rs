@@ -39,7 +39,7 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_zero() {
         return sum;
     }
-    // The angle is rotated step by step. Chebyshev's recurrence for sin jz loses digits near z = 0.
+    // Each pass rotates (s, c) by z. Chebyshev's recurrence for sin jz loses digits near z = 0.
     let (mut s, mut c) = (T::zero(), T::one());
     let quarter = q.sqrt().sqrt();
     // The powers are q^(j²/4) for j = 0, 1, 2, …. The ratio of neighbours is q^((2j+1)/4).
@@ -58,8 +58,8 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
             sum.three += term * c;
             sum.four += alternating(term * c);
         }
-        // The bound is proportional to `quarter`, as are the first terms of ϑ₁ and ϑ₂. Therefore
-        // both stay precise for small q.
+        // The bound is proportional to `quarter` = q^(1/4), as are the first terms of ϑ₁ and ϑ₂.
+        // Therefore ϑ₁ and ϑ₂ stay precise for small q.
         if term < T::epsilon() * T::half() * quarter {
             break;
         }

@@ -94,15 +94,15 @@ fn the_table_of_operation_counts_is_the_committed_one() {
 /// The number of operations of careful manual code with the shortest critical path and one
 /// reciprocal (two for E5). Multiplications of ε and parameters are done before the step.
 ///
-/// In the comments, e = ε, d = 2ε, X = e·x, Y = e·y, Z = e·z, and i = 1/D for the denominator D.
-/// The increments of the variables are the numerators n (or n, m; n₁, n₂, n₃) multiplied by i.
+/// In the comments of the rows, e = ε, d = 2ε, X = e·x, Y = e·y, Z = e·z, D is the denominator, and
+/// i = 1/D. The numerators are n, m or n₁, n₂, n₃. A variable's increment is its numerator times i.
 const BY_HAND: [(&str, usize); 8] = [
     // D = (1 + (Y−X)) + e((X+Y)−e), n = d·x·((1−y)−(X−e)), m = d·y·((x−1)+(e−Y)): 13 additions, 9
     // multiplications, 1 division.
     ("lv", 23),
     // Let p, q, r be e times the coefficients, and qx = q·x and so on. Then D = ((1 − pz·(q z)) −
-    // (qx·(r x) + ry·(p y))) − (qx·ry)·(pz+pz), n₁ = 2p·(y+qx·z)·(z+ry·x), …: 11 additions, 23
-    // multiplications, 1 division.
+    // (qx·(r x) + ry·(p y))) − (qx·ry)·(pz+pz), and the first numerator is n₁ =
+    // 2p·(y+qx·z)·(z+ry·x): 11 additions, 23 multiplications, 1 division.
     ("euler", 35),
     // D = (1+dx)(1−X), n₁ = x·(dx·(1−X)), n₂ = y·(dx·(1−X)), n₃ = d·y·(y+y) + z·(dx·(1+X)): 8
     // additions, 13 multiplications, 1 division.
@@ -113,19 +113,21 @@ const BY_HAND: [(&str, usize); 8] = [
     // v = 1−Y, u = 1+Y, i = 1/(v + X·(d x)), j = 1/u, P = d(y − X·x). The increments are (x·P)i,
     // −(d x·(x·u))i, ((P·((x+x) − z·v))j)i: 9 additions, 15 multiplications, 2 divisions.
     ("e5", 26),
-    // T = 3Y, u = 1+T, v = 1−T, D = ((1 + T·Y) − 4X·(d z)) + ((X·(d x))u + (Z·(d z))v), s = x+z, δ
-    // = x−z, a = d(y + (X+Z)δ), b = δ + Y·s, c = s − T·δ. The numerators are a·((z+z) − x·u),
-    // d·b·c, a·(z·v − (x+x)): 19 additions, 26 multiplications, 1 division.
+    // T = 3Y, u = 1+T, v = 1−T, s = x+z, δ = x−z.
+    // D = ((1 + T·Y) − 4X·(d z)) + ((X·(d x))u + (Z·(d z))v).
+    // With a = d(y + (X+Z)δ), b = δ + Y·s, c = s − T·δ, the numerators are
+    // a·((z+z) − x·u), d·b·c, a·(z·v − (x+x)): 19 additions, 26 multiplications, 1 division.
     ("e6", 46),
     // Let σ, ρ, β be e times the parameters. The constants c₀, c₁, c₂, t₀ contain no state. Let k =
     // 1+σ, ke = k·e, σe = σ·e, b₁ = 1+β, b₁e = b₁·e. Then D = X(ke·x + σe·y) + (c₀ + c₁·z), q = 2(x
     // + σy), R = ρ−Z, T = t₀ + σZ, n₁ = 2σ(b₁·y + x((c₂−Z) − X²)), n₂ = q(b₁·R − X·Y) − 2k(b₁e·y −
     // β(X·z)), n₃ = q(R·X + Y) − (2σ·X·Y + 2β·z·T): 19 additions, 29 multiplications, 1 division.
     ("lorenz", 49),
-    // Let m and p be the states, w the parameters and (i, j, k) cyclic: cᵢ = wₖ−wⱼ, P = e·p, fᵢ =
-    // e·cᵢ·pⱼ, gᵢ = e·cᵢ·pₖ, aᵢ = e·mᵢ + fᵢ·Pₖ, dᵢ = 1 + (Pₖ·fⱼ − Pⱼ·gₖ), s = Σ dᵢaᵢ², q = Σ
-    // dᵢaᵢpᵢ, D = d₁d₂d₃ + s, nᵢ = 2dⱼdₖ(p×a)ᵢ + (2q·aᵢ − 2s·pᵢ), p̃ = p + n/D, m̃ᵢ = mᵢ + (fᵢ·p̃ₖ
-    // + gᵢ·p̃ⱼ): 37 additions, 59 multiplications, 1 division.
+    // Let m and p be the states, w the parameters, (i, j, k) cyclic, and × the cross product.
+    // cᵢ = wₖ−wⱼ, P = e·p, fᵢ = e·cᵢ·pⱼ, gᵢ = e·cᵢ·pₖ, aᵢ = e·mᵢ + fᵢ·Pₖ.
+    // dᵢ = 1 + (Pₖ·fⱼ − Pⱼ·gₖ), s = Σ dᵢaᵢ², q = Σ dᵢaᵢpᵢ, D = d₁d₂d₃ + s.
+    // nᵢ = 2dⱼdₖ(p×a)ᵢ + (2q·aᵢ − 2s·pᵢ), p̃ = p + n/D, m̃ᵢ = mᵢ + (fᵢ·p̃ₖ + gᵢ·p̃ⱼ).
+    // 37 additions, 59 multiplications, 1 division.
     ("clebsch", 97),
 ];
 
@@ -147,7 +149,7 @@ fn no_step_takes_more_operations_than_careful_code_by_hand() {
 mod folding {
     use super::*;
 
-    /// Returns the step plan of a catalog system at ξ = 1, reduced after the substitution of ξ.
+    /// Substitutes ξ = 1 in a catalog system, cancels common factors, and returns the step plan.
     fn at_xi_1(name: &str) -> Option<StepPlan> {
         let special =
             catalog(name).specialise(&[(0, Rational::one())]).expect("the field has a value at ξ = 1");

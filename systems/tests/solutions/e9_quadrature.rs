@@ -65,7 +65,7 @@ fn the_period_of_e4_is_four_quarter_periods() {
 
 #[test]
 fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
-    // Central differences with two steps h approximate dt/dx = −1/(xz) with the error O(h²).
+    // For two values of h, central differences of t(x) approximate dt/dx = −1/(xz) up to O(h²).
     for xi in ["-1/2", "3/2", "-7/3", "5"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
         let x = start()[0];
@@ -100,8 +100,8 @@ fn fixed_points_are_fixed_and_on_the_sphere() {
 
 #[test]
 fn a_small_closed_trajectory_has_the_period_of_the_linearisation() {
-    // E9 has the fixed point (√(−ξ) a, a, 0) with a²(1 − ξ) = 1. There the linearised field has the
-    // frequency ω with ω² = 2(1−ξ)(−ξ)a².
+    // The fixed point (√(−ξ) a, a, 0) lies on the unit sphere if a²(1 − ξ) = 1. Small closed
+    // trajectories around it have the frequency ω with ω² = 2(1−ξ)(−ξ)a².
     let xi = number("-1/2");
     let fixed = &e9::fixed_points(&xi, &number("1"))[2];
     let mut near = *fixed;

@@ -101,10 +101,10 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
     }
 }
 
-/// Returns the largest error of an `f64` solution against 8 backward and 12 forward steps in 256
-/// bits. The unit is 2⁻⁵² · norm · (1 + |argument|) · max(1, |ε|·rate·norm), where `norm` is that
-/// of the point, and `rate` is the size of the coefficients. The last two factors allow for the
-/// rounded argument and for points near poles.
+/// Compares an `f64` solution with 8 backward and 12 forward steps in 256 bits. Returns the largest
+/// error in units of 2⁻⁵² · r · (1 + |v|) · max(1, |ε|·`rate`·r). Here r is the norm of the point,
+/// v is the `argument` of the solution's functions, and `rate` is the size of the field's
+/// coefficients.
 pub(crate) fn ulps<M>(
     map: M,
     case: &Rounded,

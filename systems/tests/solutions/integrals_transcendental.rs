@@ -40,7 +40,7 @@ fn values_at_the_point_of_the_paper() {
 
 #[test]
 fn integrals_agree_with_the_tables_of_the_map() {
-    // The values are H_eps_decimal of tests/data, with 40 digits or more.
+    // The files in tests/data have entries `H_eps_decimal` with at least 40 digits.
     for system in ["e7", "e8"] {
         let path = format!("{}/../tests/data/{system}.json", env!("CARGO_MANIFEST_DIR"));
         let data: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();

@@ -24,7 +24,7 @@ fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<
     std::array::from_fn(|i| (extremes[i][0], turns[i].value, turns[i].error))
 }
 
-/// Returns the step of sn's argument over its period 4K, or `None` for orbits that tests skip.
+/// Returns 2δ/(4K), the rotations of sn and cn per step. `None` means that tests skip the orbit.
 fn half_turn(solution: &e4::Solution<Float256>) -> Option<f64> {
     let quarter = solution.modulus.quarter_period();
     let turns = (solution.delta / (quarter + quarter)).to_f64().abs();

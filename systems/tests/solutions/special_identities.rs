@@ -75,7 +75,7 @@ fn the_centred_ratio_with_an_integer_difference_is_the_limit_of_its_neighbours()
 
 #[test]
 fn the_centred_ratio_has_no_false_poles() {
-    // Γ(1)/Γ(−1/2) = −1/(2√π); the next ratio, Γ(5/2)/Γ(0), is zero.
+    // For (w, σ) = (−1/4, 3/4), Γ(1)/Γ(−1/2) = −1/(2√π). For (3/4, 5/4), Γ(5/2)/Γ(0) = 0.
     let ratio = centered_gamma_ratio(&number("-1/4"), &number("3/4"));
     assert_close(&ratio, &(int(-1) / (int(2) * Float256::pi().sqrt())), 74, "no pole");
     assert_eq!(centered_gamma_ratio(&number("3/4"), &number("5/4")), int(0));

@@ -74,7 +74,7 @@ fn ratios_of_gamma_are_within_64_ulp() {
             |(w, s)| centered_gamma_ratio(&p(w), &p(s)),
         );
     }
-    // The difference has zeros and poles for |w| ≤ |σ|; therefore larger w are drawn.
+    // For |w| ≤ |σ|, this difference of digammas has zeros and poles. Here |w| is larger.
     assert_bounded(
         "the difference of digammas",
         16.0,

@@ -1,5 +1,5 @@
-//! Compares special functions with 60 digits of mpmath 1.3: `gamma`, `digamma`, `loggamma`,
-//! `ellipfun`, `ellipk`, `ellipf`, `jtheta` and `qfrom` at 70 to 100 digits.
+//! Compares special functions with 60-digit values, computed by mpmath 1.3: `gamma`, `digamma`,
+//! `loggamma`, `ellipfun`, `ellipk`, `ellipf`, `jtheta` and `qfrom`.
 
 use kahan_systems::special::{
     Float256, Modulus, Real, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,

@@ -103,7 +103,7 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// Returns whether |ε| is in the range in which a step may divide by ε.
+            /// Returns `false` if formulas divided by this ε could overflow or underflow.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }
@@ -120,10 +120,10 @@ macro_rules! float {
 }
 
 float!(
-    /// Arithmetic in `f64`.
+    /// Arithmetic in `f64`. Steps divide by ε only if 2⁻⁶⁴ ≤ |ε| ≤ 2⁶⁴.
     Float64, f64, to_f64, 18_446_744_073_709_551_616.0
 );
 float!(
-    /// Arithmetic in `f32`.
+    /// Arithmetic in `f32`. Steps divide by ε only if 2⁻¹⁶ ≤ |ε| ≤ 2¹⁶.
     Float32, f32, to_f32, 65_536.0
 );

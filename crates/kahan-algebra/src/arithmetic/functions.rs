@@ -47,8 +47,8 @@ impl Functions {
         a.pow_within(exponent, &mut self.budget.borrow_mut()).ok()
     }
 
-    /// Multiplies `numerator` by the factors of the denominator `target` that the denominator
-    /// `have` lacks.
+    /// Expands a fraction from the denominator `have` to its multiple `target`, and returns the new
+    /// numerator.
     fn expand_to(
         &self,
         numerator: &Polynomial,
@@ -84,9 +84,9 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Cancels factors of `below` in `numerator`, and appends the factors that remain to
-    /// `denominator`. Only factors with as many terms as `numerator` are tried, so common ones may
-    /// remain.
+    /// Cancels factors of `below` in `numerator`, and appends the other factors to `denominator`. A
+    /// factor is tried only if it has exactly as many terms as `numerator`. Therefore common
+    /// factors may remain.
     fn cancel(
         &self,
         numerator: &mut Polynomial,

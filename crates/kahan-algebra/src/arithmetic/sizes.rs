@@ -1,5 +1,5 @@
-//! Bounds degrees and coefficients of fractions. The error probability of the prover follows from
-//! the bounds.
+//! Bounds degrees and coefficients of fractions. From these bounds, the prover computes the
+//! probability that it accepts a false claim.
 //!
 //! Plans form fractions N/M of integer polynomials without cancellation. A [`FractionSize`] bounds
 //! the degrees of N and M and the logarithms of their 1-norms. Additions of bounds saturate.
@@ -63,10 +63,10 @@ impl FractionSize {
 pub struct SizeArithmetic;
 
 impl SizeArithmetic {
-    /// Bounds the determinants of all choices of n columns of `rows`.
+    /// Bounds the determinant of every matrix that consists of n columns of `rows`.
     ///
-    /// The matrix `rows` has n rows with at least n entries. The common denominator is the product
-    /// of all denominators. Each of the n! terms contains one numerator from each row.
+    /// The matrix `rows` has n rows with at least n entries. The bound's denominator is the product
+    /// of all denominators in `rows`. Each of the n! terms has one numerator per row.
     #[must_use]
     pub fn determinant(self, rows: &[Vec<FractionSize>]) -> FractionSize {
         let product = |lengths: &mut dyn Iterator<Item = PolynomialSize>| {

@@ -67,8 +67,8 @@ pub(super) fn compile_all(
                 compiler.functions.insert(claim.name.text.clone(), *output);
             }
             Some(_) => {}
-            // The mistake is already reported, so claims that use this name are dropped without a
-            // report.
+            // The claim's mistake is already reported. Later claims that use its name are dropped
+            // without a report.
             None => compiler.scope.poison(&claim.name.text),
         }
         if let (Some(outputs), Some(body), Some(conditions)) = (outputs, &claim.body, conditions) {
@@ -84,8 +84,8 @@ pub(super) fn compile_all(
     claims
 }
 
-/// Reports unknown names, states and densities in G, which `drift F by G` must not contain. In G,
-/// the name of the claim stands for F(x).
+/// Checks the expression G of a claim `drift F by G`. Reports states, densities and unknown names
+/// in G. The claim's own name is allowed, and means F(x).
 fn resolve_next(
     next: &Expr,
     claim: &syntax::Claim,

@@ -1,7 +1,7 @@
 //! Checks relations `when expr = expr` between parameters and ε.
 //!
-//! Each relation is solved for a name that occurs linearly. A relation must not determine a state
-//! or ε = 0. The field must be defined where the relations hold.
+//! Each relation is solved for a name that occurs linearly. A relation must not contain states,
+//! imply ε = 0, or make a divisor of the field zero.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax;
@@ -84,8 +84,8 @@ fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
     RationalFunction::new(above, below).map_or_else(Polynomial::zero, |quotient| quotient.numerator().clone())
 }
 
-/// Returns the parameters in a relation in order of occurrence, then ε. Returns `Ok(None)` after a
-/// reported mistake.
+/// Returns the parameters of a relation in order of occurrence, and ε last if it occurs. Returns
+/// `Ok(None)` after a reported mistake.
 fn parameters_in(
     condition: &syntax::Condition,
     scope: &mut Scope,

@@ -88,8 +88,8 @@ fn has_odd_powers(Expansion { numerator, denominator, .. }: &Expansion, scope: &
     [numerator, denominator].iter().any(|part| !part.is_even_in(scope.symbols.epsilon()))
 }
 
-/// Returns the place to report for odd powers of ε: the first `eps` in the innermost subexpression
-/// that has them.
+/// Returns the span of the first `eps` in the innermost subexpression that contains odd powers of
+/// ε.
 fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     let is_odd =
         |expr: &Expr| expand_unkept(expr, scope).is_ok_and(|expansion| has_odd_powers(&expansion, scope));
@@ -105,7 +105,7 @@ fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     place.unwrap_or(expr.span)
 }
 
-/// Returns the states of a term as text, such as `x^2*y`, and a product of two of them.
+/// Returns texts such as `x^2*y` for the states of a term, and `x^2` for a product of two of them.
 fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     let (states, _) = monomial.split(|variable| scope.symbols.is_state(variable));
     let power = |name: &str, exponent: u32| Text.power(name, exponent.into());

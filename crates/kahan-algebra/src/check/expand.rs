@@ -4,7 +4,7 @@
 //! sizes bound compile times. The caller checks the degree of the result.
 //!
 //! The [expression as written](crate::subexpressions) is stored beside p/q. It is dropped if
-//! cancellation has removed a variable, the terms of highest degree or a divisor from p/q.
+//! cancellation in p/q lowers the degree, or removes a variable or a divisor.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -24,7 +24,7 @@ use super::names::{NameMeaning, Scope};
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 300_000;
 const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
-/// The order of the terms in a sum is stored for at most this many terms.
+/// The order of the terms is stored only for sums of at most this many terms.
 const MOST_IN_ORDER: usize = 64;
 /// Powers of sums are expanded only up to this degree in the states.
 const HIGHEST_DEGREE: u64 = 64;
@@ -128,7 +128,6 @@ impl LoweringTarget for FractionExpander<'_> {
         Expansion { numerator: -&a.numerator, denominator: a.denominator, kept, order }
     }
 
-    /// Adds terms with equal denominators first. A long sum then costs about as much as a sort.
     fn sum(&mut self, terms: Vec<(bool, Expansion)>, span: Span) -> Result<Expansion, Diagnostic> {
         if terms.iter().map(|(_, term)| term.numerator.len()).sum::<usize>() > 4 * MOST_TERMS {
             return Err(too_large(span));
@@ -214,7 +213,7 @@ impl LoweringTarget for FractionExpander<'_> {
         }
         if let Some(value) = number {
             if value.is_zero() || value.bits() <= 1 {
-                // The base is 0, 1 or −1, so every exponent is allowed. The power 0^0 is 1.
+                // All powers of 0, 1 and −1 are written without multiplication. The power 0^0 is 1.
                 let one = exponent == 0 || (value.is_negative() && exponent.is_multiple_of(2));
                 return Ok(self.number(&if one { Rational::one() } else { value }));
             }

@@ -194,7 +194,7 @@ fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic
     Ok(density)
 }
 
-/// Returns the summand of a claim. The function `sum` is linear, so it is removed from each term.
+/// Returns a claim's expression with each `sum(…)` replaced by its argument.
 fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {
@@ -256,8 +256,8 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports site parameters that are undefined beyond an end of the chain. Terms that are 0 there
-/// may contain them: a state at the same site or farther out is 0 beyond the end.
+/// Reports parameters of sites beyond an end of the chain, where they are undefined. A term may
+/// contain one if it also contains a state at its site or farther out, because this state is 0.
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =

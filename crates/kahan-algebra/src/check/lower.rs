@@ -11,8 +11,8 @@ use kahan_syntax::token::Span;
 
 use crate::render::{Notation, Text};
 
-/// The largest exponent of a parameter in an equation. In a claim it limits every power, except
-/// powers of numbers with at most `MOST_BITS` bits.
+/// The largest exponent of a parameter in an equation, and of a power in a claim. The power of a
+/// number may have a larger exponent if its value has at most `MOST_BITS` bits.
 pub(super) const HIGHEST_EXPONENT: i64 = 64;
 pub(super) const MOST_BITS: u64 = 1 << 16;
 

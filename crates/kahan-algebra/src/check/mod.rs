@@ -31,8 +31,8 @@ pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
 const MOST_EQUATIONS: usize = 10_000;
-/// The limit for states, parameters, constants and claims of a block together. An array has one
-/// name for each site of the stencil.
+/// The most states, parameters, constants and claims in a block. An array counts once for each site
+/// of the stencil.
 const MOST_NAMES: usize = 10_000;
 const MOST_CLAIMS: usize = 500;
 
@@ -172,7 +172,7 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
-    // Factors as written may contain odd powers of ε that cancel. Then the expanded field is used.
+    // Odd powers of ε in the field as written cancel in the expanded field, which then replaces it.
     let kept = if kept.has_odd_powers_of_eps() { FieldWithSubexpressions::of(&field) } else { kept };
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols = scope.symbols.clone();

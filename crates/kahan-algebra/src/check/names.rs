@@ -112,7 +112,7 @@ impl Scope {
         diagnostics: &mut Diagnostics,
     ) {
         let name = &*reference.to_string();
-        // An equation `dxdt = …` is reported instead of the unknown name `x`.
+        // A misspelt equation `dxdt = …` is reported instead of the unknown name `x`.
         if self.misspelt_states.iter().any(|left| left.contains(name)) {
             return;
         }

@@ -74,7 +74,7 @@ impl StandIn {
         let mut builder = PlanBuilder::default();
         let zero = builder.constant(&Rational::zero());
         let expr = || Expr { kind: ExprKind::Number(Rational::zero()), span: name.span };
-        // Generated methods depend only on whether a claim is conditional, so any condition serves.
+        // Generated methods depend only on whether a claim has a condition, so ε = 1 will do.
         let condition = || Condition::fixed(&self.symbols, self.symbols.epsilon(), &Rational::one());
         Claim {
             kind: *kind,

@@ -1,4 +1,4 @@
-//! Derives the plans of one site of a family.
+//! Derives the plans that a chain repeats at each site.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
@@ -29,8 +29,8 @@ pub struct EntryPosition {
 pub struct Lines {
     /// The inputs of `constants`.
     pub given: Symbols,
-    /// The inputs of `rows` and `sums`. The states are the values of arrays and site parameters at
-    /// all sites of the stencil. The parameters are the prepared constants.
+    /// The inputs of `rows` and `sums`. Values at the sites of the stencil, of arrays and of site
+    /// parameters, count as states. Prepared constants count as parameters.
     pub symbols: Symbols,
     /// The plan that computes the prepared constants from ε and the parameters of the chain.
     pub constants: Plan,
@@ -195,8 +195,8 @@ impl LineWriter<'_> {
     }
 
     /// Writes p/q or ε·p/q for p = `above` and q = `below`. The numerator p is written as Σ cₖ·pₖ
-    /// with integer polynomials pₖ and prepared constants cₖ. If q is equal at all sites, cₖ
-    /// includes 1/q.
+    /// with integer polynomials pₖ and prepared constants cₖ. If q contains no values of sites,
+    /// each cₖ is divided by q.
     fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
         let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
         let one = Polynomial::one();

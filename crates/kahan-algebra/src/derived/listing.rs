@@ -16,11 +16,11 @@ pub struct StepListing {
     pub constants: Vec<String>,
     /// The operations that compute numerators and reciprocals.
     pub kernel: Vec<String>,
-    /// For each component, the reciprocal that multiplies its numerator. `None` without division.
+    /// The name of the reciprocal that multiplies each numerator, or `None` if there is none.
     pub reciprocals: Vec<Option<String>>,
     /// The formulas of x̃ by component.
     pub next: Vec<String>,
-    /// The largest tested ‖εf′‖∞ up to which the step is accurate.
+    /// The largest tested ‖εf′‖∞ at which the step is still accurate, or 0 if there is none.
     pub holds_to: u32,
 }
 
@@ -41,7 +41,7 @@ impl StepListing {
             let reciprocal = reciprocal.map(|node| name(*node).to_owned());
             let (sign, numerator) = match plan.operations[numerator.0] {
                 Operation::Negate(inner) => {
-                    // A negated numerator is subtracted in `next`, so its negation is omitted.
+                    // A negation used only by `next` is omitted: `next` subtracts instead.
                     hidden[numerator.0] = uses[numerator.0] == 1;
                     ('-', inner)
                 }

@@ -54,8 +54,8 @@ pub struct Derived {
     pub brackets: Vec<(String, Plan)>,
     /// The unconditional drifts by name. Each plan computes F(x) and the claimed value of F(x̃).
     pub drifts: Vec<(String, Plan)>,
-    /// The plans of the conditional claims. A name that a condition determines is replaced by its
-    /// value.
+    /// The plans of the conditional claims. Each condition determines a name, and its value is
+    /// substituted.
     pub conditional: Vec<Plan>,
     made: LazyPlans,
 }
@@ -77,7 +77,7 @@ struct LazyPlans {
     carry: OnceLock<Option<(Symbols, Plan)>>,
 }
 
-/// Derives the plans of a system. Plans that methods return are derived at their first call.
+/// Derives the plans of a system. Methods of [`Derived`] derive further plans at their first call.
 ///
 /// The cost is that of [`RationalMap::of`], some milliseconds for a system of the catalog.
 #[must_use]
@@ -115,14 +115,14 @@ struct PlannedField {
 }
 
 impl PlannedField {
-    /// Replaces subexpressions without states by parameters. Returns the field unchanged if this
-    /// would hide a common factor that cancels in its map.
+    /// Replaces subexpressions without states by parameters. Returns the field unchanged if the
+    /// parameters would hide a common factor of the map's numerators and denominator.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return PlannedField { with_constants: with, map: map.cloned() };
         };
-        // If the field depends on ε, a parameter replaces ε², and degrees in ε are not comparable.
+        // If the field depends on ε, a parameter replaces ε². Then degrees in ε are not compared.
         let counts_eps = !system.field.depends_on_eps();
         let is_as_short = |own: &RationalMap| {
             let (symbols, others) = (&with.field.symbols, &system.field.symbols);
@@ -250,8 +250,8 @@ impl Derived {
         with.put_into(&quotients(polynomials.iter().zip(with.field.denominators())))
     }
 
-    /// Returns the straight-line plan of the step. Returns `None` if each step must eliminate
-    /// variables, as for large fields.
+    /// Returns the straight-line plan of the step. Returns `None` if steps solve their linear
+    /// systems by elimination, as for large fields.
     ///
     /// The first call takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
@@ -281,11 +281,11 @@ impl Derived {
 
     /// Returns the plan of (∂x̃/∂x)·v for a tangent vector v, given x, v and x̃. Returns `None` if
     /// the step has no straight-line plan, if a common factor was divided out of the map, or if
-    /// every plan of limited size is inaccurate.
+    /// every plan that is short enough loses digits in long steps.
     ///
     /// The symbols are those of the [variational](System::variational) field. Its states are x and
-    /// v, and x̃ is the first half of the symbols [`Symbol::SecondState`]. The first call costs
-    /// about as much as planning a step.
+    /// v, and [`SecondState(i)`](Symbol::SecondState) stands for x̃ᵢ. The first call costs about as
+    /// much as planning a step.
     pub fn tangent_map(&self) -> Option<(&Symbols, &Plan)> {
         let plan = || {
             let System { field, kept, .. } = self.system.variational();

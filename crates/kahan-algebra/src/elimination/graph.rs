@@ -8,7 +8,8 @@ pub(super) struct Graph {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct EliminationCost {
     products: usize,
-    /// The length of the longest chain of dependent pivots.
+    /// The number of dependences in the longest chain of pivots that each depend on the previous
+    /// one.
     critical_path: usize,
 }
 
@@ -30,7 +31,7 @@ impl FilledRow {
 }
 
 impl Graph {
-    /// Returns the graph of each block. The entry i of `depends` lists the variables in fᵢ.
+    /// Returns the graph of each block. The list `depends[i]` contains the variables in fᵢ.
     pub(super) fn of_blocks(depends: &[Vec<usize>], blocks: &[Vec<usize>]) -> Vec<Self> {
         let mut places = vec![(0, 0); depends.len()];
         for (number, block) in blocks.iter().enumerate() {
@@ -70,10 +71,10 @@ impl Graph {
     /// if elimination needs more multiplications than `bound`.
     ///
     /// A row inherits the columns right of the diagonal from the rows of its pivots. Let p < q, and
-    /// let row p have an entry in column q, and row q one in column p. Then row q inherits the
-    /// columns of row p right of q, so rows below q read row p only up to column q (S. C. Eisenstat
-    /// and J. W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If the pattern is
-    /// symmetric, the cost is proportional to the number of entries.
+    /// let the entries (p, q) and (q, p) exist. Then row q inherits the columns of row p right of
+    /// q. Rows below q get them from row q, and read row p only up to column q (S. C. Eisenstat and
+    /// J. W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If the pattern is symmetric,
+    /// the cost is proportional to the number of entries.
     pub(super) fn filled(&self, order: &[usize], bound: Option<EliminationCost>) -> Option<FilledPattern> {
         let most_products = bound.map_or(usize::MAX, |bound| bound.products);
         let turns = positions(order);

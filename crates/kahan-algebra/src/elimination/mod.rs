@@ -59,12 +59,12 @@ pub struct Row {
     pub own: usize,
     /// The position of the diagonal entry. Earlier entries are eliminated.
     pub diagonal: usize,
-    /// The position after the last entry.
+    /// The position after the last entry of the row.
     pub end: usize,
 }
 
-/// Returns the diagnostic for too many parameters. The derived `PartialEq` of a generated struct
-/// nests one expression for each field, and deep nesting overflows the stack of rustc.
+/// Returns a diagnostic if a block has too many parameters. For a struct with very many fields, the
+/// code of `derive(PartialEq)` overflows the stack of rustc.
 #[must_use]
 pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
     (parameters > MOST_PARAMETERS).then(|| {

@@ -18,8 +18,8 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
         minimum_degree(&neighbours),
     ];
     let [.., of_degree] = &proposals;
-    // The minimum degree order is nearly always cheap, so its cost is a good bound for other
-    // orders.
+    // The minimum degree order is nearly always cheap. Other orders are abandoned once they cost
+    // more.
     let bound = graph.filled(of_degree, None).map(|filled| filled.price);
     let filled = |order: Vec<usize>| Some((graph.filled(&order, bound)?, order));
     let cheapest = proposals.into_iter().filter_map(filled).min_by_key(|(filled, _)| filled.price);
@@ -65,8 +65,8 @@ fn reverse_cuthill_mckee(neighbours: &[Vec<usize>]) -> Vec<usize> {
 }
 
 /// Returns the minimum degree order. The next variable is one with the fewest neighbours (H. M.
-/// Markowitz, Management Sci. 3 (1957) 255–269). Among these, the one whose pivot depends on the
-/// shortest chain of other pivots comes first.
+/// Markowitz, Management Sci. 3 (1957) 255–269). If several have equally few, the one with the
+/// shortest chain of dependent pivots comes first.
 fn minimum_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut around = neighbours.to_vec();
     let mut chain_lengths = vec![0_usize; around.len()];

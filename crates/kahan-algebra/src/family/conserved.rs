@@ -97,8 +97,8 @@ fn is_constant(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> W
     Ok(slopes.values().all(RationalFunction::is_zero))
 }
 
-/// Returns whether the derivative of the sum along the field vanishes in every chain. Terms with
-/// different divisors are compared separately, so `false` proves nothing.
+/// Returns `true` only if the derivative of the sum along the field vanishes in every chain. The
+/// derivative may vanish despite `false`, because terms with different divisors are not combined.
 pub(super) fn cancels(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();

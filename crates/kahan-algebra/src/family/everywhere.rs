@@ -1,8 +1,8 @@
 //! Reduces sums over all sites of a chain to finitely many terms.
 //!
-//! Each term is written relative to a site in the middle of a long chain. The *extent* of a term is
-//! the smallest interval that contains its sites. A sum over the sites vanishes in all chains if
-//! and only if the terms of each extent cancel separately.
+//! The sums are written for a long chain. The *extent* of a term is the smallest interval that
+//! contains its sites. A sum over the sites vanishes in all chains if and only if the terms of each
+//! extent cancel separately.
 //!
 //! Proof of "only if": let S(a, b) be the sum for a chain that consists of the sites a to b. In
 //! S(a, b) − S(a+1, b) − S(a, b−1) + S(a+1, b−1), exactly the terms with extent [a, b] remain.
@@ -24,8 +24,8 @@ pub(super) fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// The first and the last site that a chain must contain for a term to occur in it. In a ring every
-/// term occurs, and both are the middle site.
+/// The smallest range of sites that a chain must contain so that a term occurs in it. In a ring
+/// every term occurs, and the range is the middle site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct SiteRange {
     pub first: usize,
@@ -84,8 +84,8 @@ impl<'a> MiddleSite<'a> {
         SiteRange { first: site, last: site }
     }
 
-    /// Returns the smallest range that contains the range `place` and the sites of a monomial. In a
-    /// ring, where no site is missing, returns `place`.
+    /// Returns the smallest range that contains the range `place` and the sites of a monomial. For
+    /// a ring, returns `place`.
     pub(super) fn extent(&self, monomial: &Monomial, place: SiteRange) -> SiteRange {
         if self.chain.family.boundary == Boundary::Periodic {
             return place;

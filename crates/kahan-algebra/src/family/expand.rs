@@ -21,7 +21,7 @@ impl Family {
     pub fn symbols_at(&self, sites: usize) -> Symbols {
         let names = || self.arrays.iter().chain(&self.site_parameters);
         let all: Vec<&String> = names().chain(&self.parameters).collect();
-        // For arrays `x` and `x1`, the name `x11` could mean site 11 of `x` or site 1 of `x1`.
+        // For arrays `x` and `x1`, the name `x11` would be ambiguous. Then `_` precedes each site.
         let is_number = |rest: &str| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit());
         let is_prefix =
             |name: &String, other: &String| other.strip_prefix(name.as_str()).is_some_and(is_number);
@@ -37,8 +37,8 @@ impl Family {
         }
     }
 
-    /// Returns the system of a chain with the linear integrals as claims, or `None` if a divisor is
-    /// identically 0 at some site. In a short ring, a site may be its own neighbour.
+    /// Returns the system of a chain with the linear integrals as claims. Returns `None` if a
+    /// divisor is identically 0 at some site, which can happen in short rings.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> Option<System> {
         let chain = self.chain(sites);

@@ -112,8 +112,8 @@ pub(super) fn find_unmatched_term(
         site: middle.site - extent.first,
         sites: extent.sites(),
     };
-    // In long chains, the terms with equal monomials must cancel. Equations with a term of ẋ are
-    // added first, so that an error message names such a term.
+    // In long chains, terms with equal monomials must cancel, so each group of them gives an
+    // equation. Groups with a term of ẋ come first, so that an error message names this term.
     let long = SiteRange { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
@@ -231,7 +231,7 @@ fn relative_monomial(middle: &MiddleSite<'_>, monomial: &Monomial) -> String {
     if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
 }
 
-/// Linear equations in row echelon form. In each row, index `unknowns` is the right-hand side.
+/// Linear equations in row echelon form. Each row has its right-hand side at the index `unknowns`.
 struct Equations {
     unknowns: usize,
     /// The rows, by the index of their first unknown, which has the coefficient 1.

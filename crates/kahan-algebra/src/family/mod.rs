@@ -38,7 +38,7 @@ pub struct Family {
     /// The largest offset of a neighbour in the equations, and at least 1.
     pub reach: usize,
     /// Symbols for the values of the stencil. The states are ordered by site, then by array.
-    /// Parameters of the chain precede the 2·reach + 1 values of each site parameter.
+    /// Parameters of the chain come first, then 2·reach + 1 values of each site parameter.
     pub symbols: Symbols,
     /// The field at site i by array.
     pub components: Vec<RationalFunction>,
@@ -59,7 +59,7 @@ pub struct SiteSum {
     pub name: Name,
     /// The expression of the sum as written.
     pub written: Expr,
-    /// The summand at site i.
+    /// The summand for site i.
     pub density: RationalFunction,
 }
 

@@ -6,16 +6,15 @@ use crate::field::Field;
 use crate::poly::{Monomial, Polynomial};
 use crate::symbols::Symbol;
 
-/// Returns the numerators of Q(x, y) over the field's denominators. The second
-/// states are the symbols of y.
+/// Returns the numerators of the bilinear form Q(x, y). Their denominators are those of the field.
+/// The second states stand for y.
 #[must_use]
 pub fn bilinear_form(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, &field.homogeneous_part(i, 2))).collect()
 }
 
-/// Returns the numerators of the polarised field f(x,y), for which f(x,x) = f(x), over the
-/// denominators of f. The second
-/// states are the symbols of y.
+/// Returns the numerators of the polarised field f(x,y), for which f(x,x) = f(x). Their
+/// denominators are those of f. The second states stand for y.
 #[must_use]
 pub fn polarization(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, field.components[i].numerator())).collect()

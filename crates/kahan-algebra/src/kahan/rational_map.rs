@@ -2,9 +2,9 @@
 //!
 //! Let the field be pᵢ/qᵢ, A the matrix of Kahan's method, Â = diag(q)·A and D̂ = det Â. By
 //! Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, where n̂ⱼ is det Â with column j replaced by p.
-//! Hence x̃ = N̂/D̂ with N̂ = xD̂ + 2εn̂, and N = N̂/∏q, D = D̂/∏q. At ε = 0, D̂ = ∏q, so ε does
-//! not divide D̂. Therefore gcd(N̂₁, …, N̂ₙ, D̂) = gcd(n̂₁, …, n̂ₙ, D̂). Division by this gcd gives
-//! n and d. A pole at which only the gcd vanishes is removable.
+//! Division of xD̂ + 2εn̂ and D̂ by ∏q gives N and D. Division of n̂ and D̂ by their gcd gives n
+//! and d. At ε = 0, D̂ is ∏q; therefore ε divides neither D̂ nor d, and 2εn/d is in lowest terms. A
+//! pole at which only the gcd vanishes is removable.
 
 use kahan_syntax::rational::Rational;
 
@@ -126,8 +126,8 @@ impl Reduced {
             lowered.push(increment.div_within(&common_factor, budget)?.expect("a common divisor divides"));
         }
         let denominator = denominator.div_within(&common_factor, budget)?.expect("a common divisor divides");
-        // A nonzero constant term of the denominator is scaled to 1, so that the denominator is
-        // precise near ε = 0.
+        // A nonzero constant term of the denominator is scaled to 1, which floats represent
+        // exactly. Near ε = 0 it dominates the denominator.
         let constant = denominator.coefficient(&crate::poly::Monomial::one());
         let scale = constant.recip().unwrap_or_else(Rational::one);
         Ok(Reduced {

@@ -57,8 +57,8 @@ pub(super) fn linear_relations(
     with_last.collect()
 }
 
-/// Returns a linear equation for each monomial in the states, and marks coefficients that are 0. An
-/// equation with a single term makes its coefficient 0 and is removed.
+/// Returns the equations of Σ cₖ vₖ = 0 with the polynomials vₖ in `vectors`: a linear equation for
+/// each monomial in the states. Removes equations with a single cₖ, and marks this cₖ as 0.
 fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Vec<Row>, Vec<bool>) {
     let mut entries: Vec<(Monomial, usize, Polynomial)> = Vec::new();
     for (column, vector) in vectors.iter().enumerate() {

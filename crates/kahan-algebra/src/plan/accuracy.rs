@@ -1,11 +1,11 @@
 //! Measures how many digits a step loses in long time steps, compared with elimination with
 //! pivoting.
 //!
-//! Digits are lost if leading terms of minors cancel, or if large entries of εf′ stand beside a
-//! pivot of 1. Each candidate formula for a step runs in floats of 30 bits, at seeded points with
-//! ‖εf′‖∞ near 1, 10, 100 and 1000. Elimination with pivoting also runs in 30 bits, and in 53 bits
-//! as reference. Errors are multiples of the unit roundoff u. The limit for the errors of a step is
-//! a multiple of those of elimination.
+//! Digits are lost if leading terms of minors cancel, or if a step eliminates with the pivot 1 in a
+//! matrix with large entries. Each candidate formula for a step runs in floats of 30 bits, at
+//! seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000. Elimination with pivoting also runs in 30
+//! bits, and in 53 bits as reference. Errors are multiples of the unit roundoff u. A step's errors
+//! may be at most a fixed multiple of the errors of elimination.
 
 mod float_plan;
 mod sample_step;
@@ -29,22 +29,22 @@ const FIRST_ROUND_POINTS: usize = 25;
 const SECOND_ROUND_POINTS: usize = 100;
 /// A step's median error may be at most this multiple of that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// Median errors of elimination are raised to at least this multiple of the unit roundoff.
+/// A smaller median error of elimination is replaced by this multiple of the unit roundoff.
 const LEAST_MEDIAN_ERROR: f64 = 10.0;
-/// The limit for a step's error, as a multiple of that of elimination, at `TAIL_QUANTILE`.
+/// At the quantile `TAIL_QUANTILE`, a step's error may be at most this multiple of elimination's.
 const TAIL_FACTOR: f64 = 60.0;
 /// Errors up to this multiple of the unit roundoff are accepted at the quantile `TAIL_QUANTILE`.
 const LEAST_TAIL_ERROR: f64 = 1000.0;
-/// A step is refused if its errors exceed their limits by this factor and another step exists.
+/// A step is refused if its errors exceed their limits by this factor and a replacement exists.
 const REFUSAL_RATIO: f64 = 1.5;
 /// A step can replace a refused step if its errors are at most this fraction of their limits.
 const REPLACEMENT_RATIO: f64 = 1.0 / 6.0;
-/// A second round is skipped if the upper bound `Ratio::largest` is below this.
+/// A second round is skipped if the errors are probably below this fraction of their limits.
 const CLEARLY_WITHIN_RATIO: f64 = 0.2;
 /// A second round is skipped if the errors of the first round exceed their limits by this factor.
 const CLEARLY_BEYOND_RATIO: f64 = 3.0 * REFUSAL_RATIO;
-/// With probability 0.9, the true median of n errors is between the quantiles
-/// ½ ± MEDIAN_BAND_FACTOR/√n.
+/// With probability 0.9, the median of the distribution is between the quantiles ½ ±
+/// MEDIAN_BAND_FACTOR/√n of n measured errors.
 const MEDIAN_BAND_FACTOR: f64 = 0.8;
 /// A step is called accurate if its errors are at most this fraction of their limits.
 const CLAIMED_RATIO: f64 = 0.6;
@@ -176,7 +176,7 @@ fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     let own = sorted_by(trials.iter().map(error), f64::total_cmp);
     let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
     let band = MEDIAN_BAND_FACTOR / (trials.len() as f64).sqrt();
-    // A positive `shift` takes quantiles at which `own` is large and `others` small.
+    // A positive `shift` raises the quantile of the step and lowers that of elimination.
     let ratio = |shift: f64| {
         let of_medians = quantile(&own, 0.5 + shift)
             / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(LEAST_MEDIAN_ERROR));

@@ -63,8 +63,8 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// Copies another plan. The function `make` builds each node from the operation's index and the
-    /// earlier nodes.
+    /// Copies another plan. The function `make` copies one operation, given its index and the
+    /// copies of all earlier operations.
     pub(super) fn include_with(
         &mut self,
         plan: &Plan,

@@ -66,8 +66,8 @@ impl StepPlan {
 mod tests {
     use super::*;
 
-    /// Returns forms in which a step waits less for the previous step than in the cheapest form,
-    /// and the number of forms that were tried.
+    /// Returns plans that take less time per step of an orbit than the cheapest plan, and the
+    /// number of plans that were tried.
     fn shorter_recurrences(
         field: &Field,
         map: &RationalMap,

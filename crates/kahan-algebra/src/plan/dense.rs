@@ -13,7 +13,7 @@ const FEWEST_VARIABLES: usize = 10;
 /// A dense field has at least this many products of two variables. With fewer, straight-line code
 /// is faster.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field, at least 1/`PRODUCTS_PER_NONZERO` of all products xⱼxₖ occur.
+/// In n variables, a dense field has at least n²(n + 1)/2 terms, divided by this number.
 const PRODUCTS_PER_NONZERO: usize = 10;
 
 #[derive(Clone, Debug)]

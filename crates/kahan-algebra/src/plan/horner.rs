@@ -109,8 +109,8 @@ fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
     counts.max_by_key(|&(variable, count)| (count, variable)).map(|(variable, _)| variable)
 }
 
-/// Splits the polynomial into products v·q and a remainder. Each term goes to its most frequent
-/// variable.
+/// Splits the polynomial into products v·q and a remainder. A term with several of the variables v
+/// goes to the one that occurs in the most terms.
 pub(super) fn by_frequency(
     polynomial: &Polynomial,
     may_be_out: impl Fn(Variable) -> bool,

@@ -22,12 +22,12 @@
 //!
 //! Each optimisation was disabled separately for 85 fields: the catalog, random fields of two to
 //! six variables, and four fields of up to eight. The column *steps* counts the steps that change.
-//! The other columns give the ratio of a step's time without the optimisation to the time with it,
-//! as mean and maximum over these steps. *One orbit* and *columns* (many orbits in SIMD lanes) are
-//! machine code of the runtime. *Compiled* is one orbit by the macro, for the catalog and 20 random
-//! fields.
+//! The other columns give the ratio of a step's time without the optimisation to its time with it.
+//! An entry is the mean and the maximum of this ratio over these steps. *One orbit* and *columns*
+//! (many orbits in SIMD lanes) are machine code of the runtime. *Compiled* is one orbit by the
+//! macro, for the catalog and 20 random fields. The last column is for processors with AVX-512.
 //!
-//! | left out | steps | one orbit | columns | compiled | compiled, AVX-512 |
+//! | disabled | steps | one orbit | columns | compiled | compiled, AVX-512 |
 //! |---|--:|--:|--:|--:|--:|
 //! | determinants of A (`forms::minors`) | 26 | 1.12; 2.0 | 1.22; 2.3 | | |
 //! | several ways to scale by ε (`writing::scaling`) | 50 | 1.04; 1.45 | 1.05; 1.35 | | |

@@ -50,8 +50,8 @@ impl Subexpressions {
         self.put_in(&plan, |variable| self.place(variable).ok_or(variable), &|variable| variable)
     }
 
-    /// Replaces each variable v of a plan by `value(v)`, which is the index of a subexpression or
-    /// another variable. Variables inside subexpressions are replaced by `rename`.
+    /// Replaces each variable v of a plan by `value(v)`: `Ok` is the index of a subexpression,
+    /// `Err` is another variable. Variables inside subexpressions are replaced by `rename`.
     fn put_in(
         &self,
         plan: &Plan,

@@ -107,10 +107,10 @@ impl Polynomial {
         Ok(product)
     }
 
-    /// Returns the power, or an error if it exceeds the budget. The zeroth power is 1.
-    /// Two bounds predict the number of terms. For exponent e and t terms, one bound is C(e+t−1,
-    /// t−1). The other bound is the number of monomials whose degrees are at most e times those of
-    /// the base.
+    /// Returns the power, or an error if it exceeds the budget. The zeroth power is 1. Two bounds
+    /// predict the number of terms. For a base of t terms and the exponent e, one bound is
+    /// C(e+t−1,t−1). The other counts the monomials whose degree in each variable is at most e
+    /// times that of the base.
     pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> WithinBudget<Self> {
         if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
             return Err(OverBudget);

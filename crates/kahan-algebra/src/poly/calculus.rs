@@ -53,8 +53,8 @@ impl Polynomial {
             .expect("total degrees stay below 2^24")
     }
 
-    /// Substitutes a/b for `variable` in Σ cₖ `variable`ᵏ and multiplies by bᵈ, which gives Σ cₖ aᵏ
-    /// bᵈ⁻ᵏ. Here d is `degree`, at least the degree in `variable`.
+    /// Let v = `variable` and d = `degree`, which is at least the degree in v. Turns Σ cₖ vᵏ into
+    /// bᵈ Σ cₖ (a/b)ᵏ = Σ cₖ aᵏ bᵈ⁻ᵏ.
     ///
     /// # Errors
     /// If the budget runs out.

@@ -49,8 +49,8 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// Maps a point to one whose x is negative if the first flag of `wanted(z)` is `true`, and
-    /// whose y is if the second is. If x = 0, x and y are exchanged first, so that k = 1 and x ≠ 0.
+    /// Maps a point to one whose signs are `wanted(z)`: the first flag says whether x is negative,
+    /// the second whether y is. If x = 0, x and y are exchanged first, so that x ≠ 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();
@@ -62,7 +62,7 @@ impl<T: Real> NormalForm<T> {
         let second = if flip_second { -second } else { second };
         let form =
             Self { sum: first + second, difference: first - second, height, product: (first * second).abs() };
-        // `Symmetry` stores the changes of sign for x and y before the exchange.
+        // `Symmetry` maps the normal form back: it exchanges x and y, and then changes signs.
         let (flip_x, flip_y) = if swap { (flip_second, flip_first) } else { (flip_first, flip_second) };
         (form, Symmetry { flip_x, flip_y, swap })
     }

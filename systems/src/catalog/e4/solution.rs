@@ -84,8 +84,8 @@ impl<T: Real> Solution<T> {
         let Squares { sum, difference, wide, narrow } = Squares::of(&form, eps);
         let modulus = modulus(&form, eps, width);
         let over = |top: &T, bottom: T| (*top / bottom).sqrt() / *eps;
-        // With s = x + y and d = x − y, ε²(d² + z²) sn²δ = 1 + ε²d² and ε²(d² + z²) cn²δ = ε²z² − 1
-        // = ε²(s² + z²) dn²δ.
+        // With s = x + y, d = x − y and q = ε²(d² + z²): sn²δ = (1 + ε²d²)/q, cn²δ = (ε²z² − 1)/q,
+        // and dn²δ = (ε²z² − 1)/(ε²(s² + z²)).
         let advance = Jacobi {
             sn: over(&difference, narrow),
             cn: over(width, narrow).abs(),

@@ -27,7 +27,7 @@ pub struct Solution<T> {
     pub kappa: T,
     /// The constant μ, which determines the integral K̂.
     pub mu: T,
-    /// The sign s: that of x on the inner, of εx sinh κ on the outer branch. Theorem 3 has s = 1.
+    /// The sign s of x (inner branch) or of εx sinh κ (outer branch). Theorem 3 has s = 1.
     pub sign: T,
     /// The branch: inner if |εy| < 1, outer if |εy| > 1.
     pub branch: Branch,

@@ -9,7 +9,7 @@ use crate::solution::OutOfDomain;
 use crate::special::Real;
 
 /// An orbit of the map of E6 by Jacobi's elliptic functions. In `f64` the error is at most 6 ulp of
-/// the point's norm times the condition number of [`e4::Solution`](crate::e4::Solution).
+/// the point's norm, times the condition number stated at [`e4::Solution`](crate::e4::Solution).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// The orbit of the Euler top with α = (1, −3, 1), in the coordinates (x − z, x + z, y).

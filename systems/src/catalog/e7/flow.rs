@@ -43,7 +43,7 @@ impl<T: Real> FlowSolution<T> {
         let size = time * alpha.sign();
         let y = *beta * size.power_real(&-*xi);
         let x = T::one() / time;
-        // If ξ is an integer, powers of a negative `size` exist; this factor makes the point NaN.
+        // Beyond the pole, `size` is negative. This factor then makes the point NaN for every ξ.
         let defined = if size.is_positive() { T::one() } else { T::zero() / T::zero() };
         vector![x * defined, y * defined, time * (*gamma - y.square()) * defined]
     }

@@ -41,10 +41,10 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
 ///
 /// ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). Terms up to N + j ≈ 22 + 4ξ are summed in `f64`, and up
-/// to 78 + 4ξ in [`Float256`](crate::special::Float256). An asymptotic expansion gives the sum of
-/// the other terms. For x < 0, about 1/(2ε|x|) terms are summed. Fails if ξ ≤ 0, where the series
-/// diverges, or if εx = 0.
+/// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). In `f64`, terms are added up to N + j ≈ 22 + 4ξ. In
+/// [`Float256`](crate::special::Float256), they are added up to 78 + 4ξ. An asymptotic expansion
+/// gives the sum of the others. For εx < 0, N is negative, and about |N| more terms are added.
+/// Fails if ξ ≤ 0, where the series diverges, or if εx = 0.
 pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
     require(xi.is_positive(), "xi > 0")?;
@@ -70,7 +70,7 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
 ///
 ///   {x,y} = 0, {z,x} = x(1 − ε²x²), {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1].
 ///
-/// For ξ = 1 the matrix is −`P` of the block of E1, and for ξ = −1 −`P` of that of E2.
+/// For ξ = 1 the matrix is the negative of E1's `P`. For ξ = −1 it is the negative of E2's `P`.
 pub fn bracket_of_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> SMatrix<T, 3, 3> {
     let [x, y, _] = (*point).into();
     let scaled = *eps * x;

@@ -59,8 +59,8 @@ impl<T: Real> Solution<T> {
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)
     }
 
-    /// Returns G₀² W_n with G₀ and W_n as in the formula for orbits. For n < 0, the sum over n ≤ j
-    /// < 0 is subtracted. A recurrence gives the quotients of Γ without overflow.
+    /// Returns G₀² W_n with G₀ and W_n as in the formula for orbits. For n < 0, W_n is minus the
+    /// sum over n ≤ j < 0. A recurrence gives the quotients of Γ without overflow.
     fn scaled_sum(&self, n: i64) -> T {
         let Self { xi, tau, .. } = self;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };

@@ -17,9 +17,9 @@ pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
 ///
 /// ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// Terms up to N + j ≈ 22 are summed (78 for [`Float256`](crate::special::Float256)). An asymptotic
-/// expansion sums the other terms in full precision. For x < 0, about 1/(2ε|x|) terms are summed.
-/// Fails if εx = 0.
+/// In `f64`, terms are added up to N + j ≈ 22. In [`Float256`](crate::special::Float256), they are
+/// added up to 78. An asymptotic expansion gives the sum of the others. For εx < 0, N is negative,
+/// and about |N| more terms are added. Fails if εx = 0.
 pub fn integral_k<T: Real>(point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
     let scaled = T::from_int(2) * *eps * x;

@@ -13,8 +13,7 @@ use crate::special::{Real, digamma};
 ///   x = 1/(2εN), y = (τβ − U_n)/(2εN),
 ///   z = τ[4n(n+2τ)(β²τ+β+γ) + 4τ²γ − γ]/(2ε(4τ²−1)N) − 4(4N²−1)V_n/(2εN).
 ///
-/// In `f64` the error is at most 24(1 + |n|) ulp of the point's norm, multiplied by max(1, |ε|
-/// norm).
+/// In `f64` the error is at most 24(1 + |n|) ulp of the point's norm r, multiplied by max(1, |ε|r).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// Half the time step, ε.
@@ -27,7 +26,7 @@ pub struct Solution<T> {
     pub gamma: T,
 }
 
-/// Up to this |n|, a sum replaces the difference of two values of ψ, in which digits would cancel.
+/// Up to this |n|, U_n is added term by term. The difference of two values of ψ would lose digits.
 const SUMMED: i64 = 256;
 
 impl<T: Real> Solution<T> {
@@ -66,8 +65,8 @@ impl<T: Real> Solution<T> {
     }
 
     /// Returns the sum V_n of the formula for orbits. With M = j + τ and U_j = ψ(M+1/2) − ψ(τ+1/2),
-    /// V_n = Σ_{0≤j<n} {1+2βτ + U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)). For n
-    /// < 0, the sum over n ≤ j < 0 is subtracted.
+    /// V_n = Σ_{0≤j<n} {1+2βτ + U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)). For
+    /// n < 0, V_n is minus the sum over n ≤ j < 0.
     pub fn sum(&self, n: i64) -> T {
         let Self { tau, beta, .. } = self;
         let two = T::from_int(2);

@@ -1,4 +1,4 @@
-//! Trajectories of E9 for ξ ≠ 0, with the time as an integral, and fixed points.
+//! The fixed points of E9, and its trajectories for ξ ≠ 0 with the time as an integral.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -34,8 +34,8 @@ pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
 ///   dt = ∓dx/(x √(r² − x² − c²x^{2ξ})), y = c x^ξ, z = ±√(r² − x² − c²x^{2ξ}).
 ///
 /// For ξ > 0 the trajectory joins the fixed points (0, 0, ∓r), with one turning point z = 0 at the
-/// largest x. For ξ < 0 the trajectory is closed and has two turning points. Symmetries are x → −x
-/// and y → −y.
+/// largest x. For ξ < 0 the trajectory is closed and has two turning points. The symmetries x → −x
+/// and y → −y give the trajectories in the other quadrants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadrature<T> {
     /// The parameter ξ of the system.
@@ -51,8 +51,8 @@ pub struct Quadrature<T> {
 }
 
 impl<T: Real> Quadrature<T> {
-    /// Returns the trajectory through `point`. Fails unless x > 0, y > 0, ξ ≠ 0, and z² > 0
-    /// somewhere on the trajectory.
+    /// Returns the trajectory through `point`. Fails at fixed points, and unless x > 0, y > 0 and
+    /// ξ ≠ 0.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, _] = (*point).into();
         require(x.is_positive() && y.is_positive(), "x > 0 and y > 0")?;
@@ -96,14 +96,14 @@ impl<T: Real> Quadrature<T> {
     /// Returns the period of a closed trajectory, or `None` for ξ > 0.
     pub fn period(&self) -> Option<T> {
         let smallest = self.smallest.as_ref()?;
-        // Each half starts at its turning point, far from the singularity at the other one.
+        // `time_from` removes the singularity at one turning point only, so the integral is split.
         let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))
     }
 
-    /// Returns the integral ∫ dx/(xz) from a turning point x* to x = x* e^(σS²), where σ = ±1 is
-    /// `sigma`, computed as ∫₀^S 2s ds/z with z² = −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
+    /// Returns |∫ dx/(xz)| between the turning point x* and x. The substitution x = x* e^(σs²),
+    /// where σ = ±1 is `sigma`, removes the singularity at x*, where z = 0.
     fn time_from(&self, turning: &T, x: &T, sigma: T) -> T {
         let two = T::from_int(2);
         let end = (sigma * (*x / *turning).ln()).sqrt();

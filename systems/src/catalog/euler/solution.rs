@@ -8,9 +8,9 @@ use crate::e4;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// The linear change of variables from an Euler top to E4, which permutes and scales the axes. With
-/// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cᵢ² = rⱼrₖ for {i, j,
-/// k} = {1, 2, 3}. The axis whose α differs in sign becomes the third; then all rᵢ have one sign.
+/// The linear change of variables from an Euler top to E4, which permutes and scales the axes. The
+/// axis whose α differs in sign from the other two becomes the third. Let β = (−1, −1, 1) and rᵢ =
+/// βᵢ/αᵢ. The scaling xᵢ = cᵢXᵢ with cᵢ² = rⱼrₖ for {i, j, k} = {1, 2, 3} turns αᵢ into βᵢ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
     /// The axes of the top that become the first, second and third coordinate of E4.
@@ -74,7 +74,7 @@ impl<T: Real> Reduction<T> {
 pub struct Solution<T> {
     /// The change of variables from the top to E4.
     pub reduction: Reduction<T>,
-    /// The orbit of the map of E4, with equal ε and n.
+    /// The corresponding orbit of the map of E4, with the same ε and n.
     pub orbit: e4::Solution<T>,
 }
 
@@ -98,7 +98,7 @@ impl<T: Real> Solution<T> {
 pub struct FlowSolution<T> {
     /// The change of variables from the top to E4.
     pub reduction: Reduction<T>,
-    /// The trajectory of E4, with equal time.
+    /// The corresponding trajectory of E4, with the same t.
     pub trajectory: e4::FlowSolution<T>,
 }
 

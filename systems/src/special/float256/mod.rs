@@ -126,7 +126,7 @@ fn quotient(p: &IBig, q: &IBig) -> Float256 {
         return Float256::from_repr(Repr::zero());
     }
     let (p_bits, q_bits) = (p.bit_len() as isize, q.bit_len() as isize);
-    // The quotient gets two extra bits, and a last bit that tells whether a remainder exists.
+    // The quotient gets two extra bits, and a last bit that is 1 if the division has a remainder.
     // Rounding to 256 bits is then correct.
     let shift = (BITS as isize + 2 - (p_bits - q_bits)).max(0) as usize;
     let negative = p.sign() != q.sign();

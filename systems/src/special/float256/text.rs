@@ -50,7 +50,7 @@ impl FromStr for Float256 {
 
 impl Float256 {
     /// Writes `digits` significant decimal digits (at least one), rounded to nearest. Numbers below
-    /// 10⁻⁵, and from 10ⁿ on with n = `digits`, are written with an exponent.
+    /// 10⁻⁵, and numbers with more than `digits` digits before the point, get an exponent.
     pub fn to_digits(&self, digits: usize) -> String {
         let Some(repr) = self.repr() else { return "undefined".to_owned() };
         if repr.significand().is_zero() {
@@ -62,7 +62,7 @@ impl Float256 {
         let (significand, exponent) = decimal.into_repr().into_parts();
         let text = significand.to_string();
         let (sign, figures) = text.strip_prefix('-').map_or(("", text.as_str()), |rest| ("-", rest));
-        // The number is d.ddd × 10^scale. Zeros that the base conversion dropped are added again.
+        // The number is d.ddd × 10^scale. Trailing zeros, dropped by the conversion, are appended.
         let scale = exponent + figures.len() as isize - 1;
         let figures = format!("{figures:0<digits$}");
         if !(-5..digits as isize).contains(&scale) {

@@ -105,7 +105,7 @@ impl Scope {
         }
     }
 
-    /// Declares unknown names in equations as parameters. This applies to blocks without a header.
+    /// Declares the unknown names in the equations of a block without a header as parameters.
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();

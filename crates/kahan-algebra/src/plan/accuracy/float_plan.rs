@@ -30,7 +30,7 @@ impl<'a> FloatPlan<'a> {
         FloatPlan { plan, start: plan.operations.iter().map(value).collect() }
     }
 
-    /// Runs the plan. The function `round` applies to each result and to products in multiply-adds.
+    /// Runs the plan. The function `round` rounds each result, and each product in a multiply-add.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
         let mut values = self.start.clone();
         for (value, operation) in values.iter_mut().zip(&self.plan.operations) {

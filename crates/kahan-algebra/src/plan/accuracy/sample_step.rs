@@ -49,7 +49,7 @@ impl SampleStep {
             }
             norm = norm.max(sum);
         }
-        // The factor is random, because A may be singular if ε‖f′‖∞ is 1.
+        // At ε‖f′‖∞ = 1, A may be singular. A random factor avoids this value.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
         if !eps.is_normal() {
             return None;
@@ -62,8 +62,8 @@ impl SampleStep {
         trial.elimination.is_finite().then_some(trial)
     }
 
-    /// Returns the largest error from component `first` on, relative to the largest component, as a
-    /// multiple of the unit roundoff.
+    /// Returns the largest error of the components from `first` on, divided by the largest of these
+    /// components and by the unit roundoff.
     pub(super) fn error_from(&self, first: usize, next: &[f64]) -> f64 {
         let (mut size, mut off) = (0.0_f64, 0.0_f64);
         for (exact, computed) in self.next[first..].iter().zip(next) {

@@ -37,8 +37,8 @@ pub(in crate::plan) struct Blocks<'a> {
 }
 
 /// A block of states. The `independent` states do not depend on each other; `rest` are the others.
-/// Cramer's rule with minors of `rows` gives the increments x̃ᵢ − xᵢ of `rest`. The polarised
-/// components `moved`, multiplied by the time step, are then the increments of `independent`.
+/// First, Cramer's rule for the equations `rows` gives the increments x̃ᵢ − xᵢ of `rest`. Then the
+/// increments of `independent` are the polarised components `moved` times the time step.
 #[derive(PartialEq)]
 struct Block {
     rest: Vec<usize>,
@@ -66,8 +66,8 @@ impl<'a> Blocks<'a> {
 
     /// Prepares the map v ↦ ṽ of tangent vectors for known x and x̃.
     ///
-    /// The symbols `SecondState` mean x + x̃ and ṽ − v, which halves the number of terms of the
-    /// polarised field. This field is doubled, because its terms have the factor ½.
+    /// Symbols `SecondState` mean x + x̃ for states x, and ṽ − v for states v. This halves the
+    /// number of terms. The polarised field is doubled to remove the factors ½.
     pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };
@@ -91,8 +91,7 @@ impl<'a> Blocks<'a> {
         self.first > 0
     }
 
-    /// Returns blocks from which independent states are eliminated first. Returns `None` if a block
-    /// is too large.
+    /// Eliminates the independent states of each block. Returns `None` if a block is too large.
     pub(in crate::plan) fn with_elimination(&self) -> Option<BlockOrder> {
         let block = |block: Vec<usize>| {
             let independent = self.structure.independent(&block);
@@ -101,8 +100,8 @@ impl<'a> Blocks<'a> {
         self.solved().map(block).collect::<Option<_>>().map(BlockOrder)
     }
 
-    /// Returns blocks from which no state is eliminated, in up to `orders` orders of rows. Each
-    /// block has at most `operations` operations.
+    /// Returns the blocks without elimination, for up to `orders` orders of rows. Each block needs
+    /// at most `operations` operations.
     pub(in crate::plan) fn without_elimination(&self, orders: usize, operations: usize) -> Vec<BlockOrder> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {
@@ -149,7 +148,7 @@ impl<'a> Blocks<'a> {
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        // For tangent vectors, ε is in the reciprocal of the determinant, so the rows omit it.
+        // For tangent vectors, reciprocals are ε/det and not 2/det; therefore the rows omit ε.
         let eps = match self.is_tangent() {
             true => Polynomial::one(),
             false => Polynomial::variable(self.field.symbols.epsilon()),

@@ -44,8 +44,8 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether no prepared constant is rounded twice, which would make integrals drift.
-    /// Returns true for dissipative fields, which have no integrals.
+    /// Returns whether each prepared constant is rounded only once. Constants with two roundings
+    /// make integrals drift. Dissipative fields have no integrals; for them the result is `true`.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }

@@ -25,13 +25,13 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// Numerators written as products are tried only with this number of the cheapest denominators.
+/// Numerators are written as products only for the cheapest denominators, at most this many.
 const TRIED_DENOMINATORS: usize = 2;
 /// If the factors of the numerators have more terms in total than this, numerators are written as
 /// determinants where possible.
 const FACTOR_TERMS: usize = 32;
 
-/// This many orders of rows are compared for the blocks of a field with few terms.
+/// This many rotations of the rows are compared, for fields of at most `COMPARED_TERMS` terms.
 const ROW_ROTATIONS: usize = 3;
 /// Orders of rows are compared for fields of at most this many terms.
 const COMPARED_TERMS: usize = 60;
@@ -47,7 +47,7 @@ pub(in crate::plan) struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    /// Returns candidates for a single orbit whose time per step may be below `recurrence`.
+    /// Returns candidates that may take less time per step of a single orbit than `recurrence`.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -174,7 +174,7 @@ impl FactoredMap<'_> {
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
-            // In an unscaled map, this determinant is the reduced denominator, and is reused.
+            // If nothing was divided out of the map, this determinant is the reduced denominator.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
@@ -197,7 +197,7 @@ impl FactoredMap<'_> {
             row.iter().chain([&right]).map(|entry| writer.entry(entry, FormGoal::Few)).collect()
         };
         let mut rows: Vec<Vec<MatrixEntry>> = matrix.iter().zip(&self.field.components).map(row).collect();
-        // A rotation of three rows keeps their determinant. Two rows stay, since `last` is 1.
+        // A rotation of three rows keeps their determinant. For two rows, (last + 1) % 2 is 0.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)
     }

@@ -40,7 +40,7 @@ impl<'a> FactoredMap<'a> {
         self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
     }
 
-    /// Writes each numerator, divided by the factor `without` and multiplied by a `power` of ε.
+    /// Writes each numerator without the factor `without`, multiplied by a power of ε.
     pub(in crate::plan) fn written_numerators(
         &self,
         writer: &mut Writer,
@@ -83,8 +83,8 @@ impl<'a> FactoredMap<'a> {
         let mut writer = self.empty.last()?.clone();
         let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, FormGoal::Early));
         let reciprocal = writer.reciprocal(c, needed.node);
-        // The quotient by p is divided by q, because compilers would pack two independent divisions
-        // into one slower vector division.
+        // This quotient is (c/p)/q. Compilers would pack two independent divisions into one slower
+        // vector division.
         let both = writer.draft.builder.divide(reciprocal, partner.node);
         let is_short = |numerator: &Factored| numerator.exponent(other) > 0;
         let power = |numerator: &Factored| if is_short(numerator) { short } else { long };

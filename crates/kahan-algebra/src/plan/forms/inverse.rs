@@ -1,10 +1,10 @@
 //! Writes forms that are divided by the time step. With h = 1/(2ε), the denominator 1 + 2εx becomes
 //! h + x.
 //!
-//! A denominator that multiplies states by ε is ready later, which delays each step. After division
-//! by a power of ε, only prepared constants contain ε. If h is the only rounded constant, the step
-//! is exactly Kahan's map for a time step within half an ulp of 2ε. The form is undefined at ε = 0
-//! and overflows near it, so a plan with this form contains another form for these ε.
+//! The product with ε in 1 + 2εx delays the division, and therefore each step. In h + x, only the
+//! prepared constant h contains ε. If h is the only rounded constant, the step is exactly Kahan's
+//! map for a time step within half an ulp of 2ε. The form is undefined at ε = 0 and overflows near
+//! it. For these ε, the plan contains another form.
 
 use kahan_syntax::rational::Rational;
 
@@ -28,7 +28,7 @@ impl FactoredMap<'_> {
     /// shorter than `recurrence`. Their constants are rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // Each term's only prepared constant contains ε, so division by ε saves no operation.
+            // Here ε joins a prepared constant of each term, so division by ε saves no operation.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
@@ -71,7 +71,7 @@ impl FactoredMap<'_> {
         writer.write(&gathered, FormGoal::Early)
     }
 
-    /// Writes the increment 2εn/d as (n/εᵏ⁻¹)·(c/q), where k = `power`, c is a number, and the node
+    /// Writes the increment 2εn/d as (n/εᵏ⁻¹)·(c/q) with a number c and k = `power`. The node
     /// `denominator` has the value q = c·d/(2εᵏ). Returns `None` if the dependence chain from step
     /// to step would not be shorter than `recurrence`, or if a constant is rounded twice.
     fn over_power(
@@ -113,7 +113,8 @@ impl FactoredMap<'_> {
         powers.filter_map(form).collect()
     }
 
-    /// Returns q and c with c/q = 2/(p/εᵏ). The polynomial q is p/εᵏ without a common power of two.
+    /// Returns q and c with c/q = 2εᵏ/p, where p = `polynomial` and k = `power`. The polynomial q
+    /// is p/εᵏ, divided by its content if that is a power of two.
     fn divided(&self, polynomial: &Polynomial, power: u32) -> (Polynomial, Rational) {
         let divided = over_eps(polynomial, power, self.field.symbols.epsilon());
         let two = Rational::from(2);

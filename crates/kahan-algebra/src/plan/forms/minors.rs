@@ -114,8 +114,8 @@ pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     count
 }
 
-/// Returns the order of rows at index `rank` among candidates of increasing cost. Candidates are
-/// the rotations of three orders: the given one, sparse rows first, and dense rows first.
+/// Sorts orders of the rows by cost, and returns the order at index `rank`. The orders are the
+/// rotations of three: the given order, sparse rows first, and dense rows first.
 pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
     let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();

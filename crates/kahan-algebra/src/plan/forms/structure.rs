@@ -28,8 +28,8 @@ impl Structure {
         blocks(&self.depends.iter().map(row).collect::<Vec<_>>())
     }
 
-    /// Returns states of a block that depend neither on each other nor on themselves. In A, their
-    /// rows and columns form an identity matrix.
+    /// Returns states of a block that depend neither on each other nor on themselves. The entries
+    /// of A in their rows and columns form an identity matrix.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);
@@ -53,7 +53,7 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     for (number, block) in blocks.iter().enumerate() {
         block.iter().for_each(|&i| block_of[i] = number);
     }
-    // `weights` counts the states on which each block depends, 64 at a time as bits of a word.
+    // `weights` counts the states on which each block depends, 64 states in each pass.
     let mut weights = vec![0; blocks.len()];
     let groups = if blocks.len() > 1 { depends.len().div_ceil(64) } else { 0 };
     for group in 0..groups {

@@ -19,12 +19,12 @@ use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Plan};
 
 const ROW_ORDERS: usize = 3;
-/// The most operations of a plan. A longer plan would not be faster than a difference quotient with
-/// a second step.
+/// The most operations of a plan. A longer plan would not be faster than a second step, from which
+/// a difference quotient gives ṽ.
 const MOST_OPERATIONS: usize = 300;
 
-/// Returns the plan of the image ṽ of a tangent vector v from x, v and x̃, where x̃ is the first
-/// half of the symbols `SecondState`. Returns `None` if every candidate loses digits in long steps.
+/// Returns the plan of the image ṽ of a tangent vector v. Its inputs are x, v and x̃, where
+/// `SecondState(i)` stands for x̃ᵢ. Returns `None` if every candidate loses digits in long steps.
 pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     let blocks = Blocks::of_tangent(variational);
     let accuracy = Accuracy::of(variational);

@@ -48,9 +48,9 @@ pub struct StepPlan {
     /// orbit faster, but in SIMD lanes divisions are the bottleneck. If `self` [divides by
     /// ε](Self::has_inverse_step), `general` also serves other scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
-    /// The largest of the sizes ‖εf′‖∞ = 1, 10, 100, 1000 up to which the step loses few digits
-    /// compared with elimination with partial pivoting; 0 if it loses more at the size 1. Errors
-    /// are measured at random points with a fixed seed.
+    /// The step was tested at the sizes ‖εf′‖∞ = 1, 10, 100, 1000. Up to `holds_to`, it loses few
+    /// digits compared with elimination with partial pivoting; 0 means that it loses more at the
+    /// size 1. Errors are measured at random points with a fixed seed.
     pub holds_to: u32,
 }
 
@@ -112,11 +112,11 @@ impl StepPlan {
         Plan::together([&Plan { operations, outputs }])
     }
 
-    /// Returns whether generated code must keep named values out of vector registers.
+    /// Returns whether generated code must keep values out of vector registers.
     ///
-    /// The answer is yes for three components only. Compilers would pack two of the three values
-    /// into a vector register, and moves between registers would take up to an eighth of the time
-    /// of a step. With more components, the step would become too large for inlining.
+    /// The answer is yes for three components only. There, moves between registers would take up to
+    /// an eighth of the time of a step. With more components, code that prevents such moves would
+    /// make the step too large for inlining.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.kernel.dimension() == 3
@@ -151,7 +151,7 @@ impl StepPlan {
         });
         let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        // Reciprocals of parameters are inputs of `constants`, so this plan divides only by ε.
+        // `constants` divides only by ε, because reciprocals of parameters are its inputs.
         let has_inverse_step =
             constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
@@ -168,8 +168,7 @@ impl PlanBuilder {
     /// Writes the step of a field with one variable by a direct division: x̃ = x ± 2εn/d. Returns
     /// `None` unless the reciprocal is ±1/d or ±2/d.
     ///
-    /// Multiplication by a reciprocal would delay the next step and round once more. At a pole, its
-    /// result might be finite.
+    /// Multiplication by a reciprocal would delay the next step and round once more.
     pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
         let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };
         let Operation::Constant(dividend) = &self.operations()[dividend.0] else { return None };

@@ -1,7 +1,7 @@
 //! Chooses the sign of each reciprocal, c/d or −c/d, so that few numerators are negated.
 //!
-//! Rounding is symmetric, so no bit of x̃ changes. Floats merge a negation with the last
-//! subtraction, but other scalars must compute it.
+//! Rounding is symmetric, so no bit of x̃ changes. For floats, a negation becomes part of the last
+//! subtraction; other scalars must compute it.
 
 use kahan_syntax::rational::Rational;
 
@@ -57,7 +57,7 @@ pub(in crate::plan) fn is_reciprocal(plan: &Plan, node: Node) -> bool {
     first_division(plan, node).is_some()
 }
 
-/// Returns the division c/d of a reciprocal c/d or c/d/d′.
+/// Returns the node c/d of a reciprocal, which is c/d or (c/d)/d′.
 fn first_division(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     if dividend_of(kernel, reciprocal).is_some() {
         return Some(reciprocal);

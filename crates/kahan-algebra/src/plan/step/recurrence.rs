@@ -1,7 +1,7 @@
 //! Estimates the time of a step in an orbit, where each step waits for the previous one.
 //!
-//! This time is the largest of d/n, where a loop of dependences through n steps, from a state back
-//! to this state, takes the time d. The longest path through a single step may take longer.
+//! A loop of dependences leads from a state through n steps back to this state. If it takes the
+//! time d, a step takes at least d/n. The largest d/n is the time of a step.
 
 use crate::poly::Variable;
 
@@ -60,11 +60,11 @@ impl StepPlan {
     }
 }
 
-/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of all steps with this
+/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of every step that uses this
 /// reciprocal.
 pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
     let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
-    // If there is a single component, its numerator is divided without a reciprocal.
+    // A single component is divided directly, without multiplication by a reciprocal.
     let product = if moving.len() > 1 { MULTIPLY } else { 0 };
     let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
     u64::from(back) * UNIT
@@ -95,7 +95,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// A cycle is 60 units of [`StepPlan::recurrence`], because 60 is divisible by 1, 2, …, 6.
+/// The units of time in a cycle. Times of loops divided by 1, 2, …, 6 steps are then integers.
 const UNIT: u64 = 60;
 
 /// Returns the longest paths through two consecutive steps.

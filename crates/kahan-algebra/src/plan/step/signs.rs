@@ -1,8 +1,8 @@
-//! Chooses signs in a kernel. If a prepared constant a − b is computed as b − a, the signs of
-//! values that depend on it change.
+//! Chooses signs in a kernel, so that it has few subtractions and few negations. If a prepared
+//! constant a − b is computed as b − a, the signs of values that depend on it change.
 //!
-//! Signs are chosen for few subtractions and few negations. Rounding is symmetric, so no bit of x̃
-//! changes. Similar components then have equal instructions, which compilers vectorise better.
+//! Rounding is symmetric, so no bit of x̃ changes. Similar components then have equal instructions,
+//! which compilers vectorise better.
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
@@ -33,8 +33,8 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan)
     (negate_constants(&constants, &turned), rebuilt)
 }
 
-/// A search over the signs of prepared differences and of sums with mixed signs. A choice is a list
-/// of flags for the operations.
+/// A search over the signs of prepared differences and of sums with mixed signs. A choice says for
+/// each operation whether its sign is reversed.
 struct SignSearch<'a> {
     kernel: &'a Plan,
     /// The node of each prepared difference in the kernel.
@@ -200,8 +200,8 @@ impl<'a> SignSearch<'a> {
     }
 }
 
-/// Returns for each of two summands whether it is subtracted, where `of` returns whether an operand
-/// is negated. Returns (false, false) for other operations.
+/// Returns for each of the two summands of an operation whether it is subtracted. The function `of`
+/// returns whether an operand is negated. Returns (false, false) for operations without summands.
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),

@@ -4,8 +4,8 @@ use crate::poly::Variable;
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// Counts the outputs whose computation multiplies two values that depend on ε. In general, these
-/// outputs are rounded more than once.
+/// Counts the outputs that depend on a product whose two factors both depend on ε. In general,
+/// these outputs are rounded more than once.
 pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usize {
     let mut contains = vec![false; plan.operations.len()];
     let mut derived = vec![false; plan.operations.len()];
@@ -34,7 +34,7 @@ pub(in crate::plan) fn split(
     split_where(plan, is_epsilon, varies)
 }
 
-/// Splits a plan like `split`, and also prepares quotients without states.
+/// Splits a plan like `split`, but moves divisions without states to the first plan, too.
 #[must_use]
 pub(crate) fn split_with_quotients(plan: &Plan, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
     split_where(plan, |_| true, varies)

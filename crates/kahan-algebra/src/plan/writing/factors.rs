@@ -93,7 +93,7 @@ fn content_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polyno
     }
     polynomial.variables().into_iter().find_map(|variable| {
         let coefficients: Vec<Polynomial> = polynomial.coefficients_in(variable).into_values().collect();
-        // One coefficient, or a coefficient with one term, would split off only a monomial.
+        // One coefficient is its own gcd; a coefficient of one term has only monomial factors.
         if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
             return None;
         }

@@ -29,12 +29,12 @@ const MOST_LOOKED_AT: usize = 1_000_000;
 pub(in crate::plan) enum FormGoal {
     /// For denominators: the value should be ready early, because all later operations wait for it.
     Early,
-    /// For numerators: the value should need few operations. A division takes longer in any case.
+    /// For numerators: the value should need few operations. The division takes longer anyway.
     Few,
 }
 
 impl FormGoal {
-    /// Returns the price to minimise. With `Early` a cycle costs one operation, with `Few` 1/16.
+    /// Returns the price in 1/16 operations. A cycle costs 16 for `Early`, and 1 for `Few`.
     pub(in crate::plan) fn price(self, operations: usize, ready: u32) -> u64 {
         match self {
             FormGoal::Early => 16 * operations as u64 + 16 * u64::from(ready),

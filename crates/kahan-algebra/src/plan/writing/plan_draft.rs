@@ -17,7 +17,7 @@ pub(in crate::plan) struct PlanDraft {
     pub(in crate::plan) builder: PlanBuilder,
     ready: Vec<u32>,
     fixed: Vec<bool>,
-    /// For each operation, the number of state-dependent operations up to it, without inputs.
+    /// The number of state-dependent operations up to and including each operation, without inputs.
     sizes: Vec<usize>,
     /// The number of states. Variables from this number up to ε are parameters.
     states: u16,
@@ -142,7 +142,7 @@ impl PlanDraft {
         factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
     }
 
-    /// Returns the positions of two factors with an existing product. Equal factors must be
+    /// Returns the positions of two `factors` whose product exists already. Equal `factors` must be
     /// adjacent. Returns `None` if there are too many different factors.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         const MOST_COMPARED: usize = 64;

@@ -1,9 +1,9 @@
 //! Distributes powers of ε over the states and parameters of each term. Then ε²x²y becomes
 //! (εx)(εx)y.
 //!
-//! If εx is computed first, terms need no product with ε, and no prepared constant except ε is
-//! rounded. Scaled symbols such as εx are variables with numbers above those of the symbols. A
-//! further variable is the [inverse time step](crate::plan::forms::inverse) 1/(2ε).
+//! If εx is computed first, terms need no product with ε, and no prepared constant other than ε is
+//! rounded. Scaled symbols such as εx are further variables, numbered after all symbols. Another
+//! variable is the [inverse time step](crate::plan::forms::inverse) 1/(2ε).
 
 use kahan_syntax::rational::Rational;
 
@@ -21,7 +21,7 @@ const STATE_IMAGE_CYCLE: u32 = 2 * DIVIDE;
 /// Whether the powers of ε in a term multiply its states first or its parameters first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum ScalingPriority {
-    /// States come first. This suits fields whose parameters occur only in some terms.
+    /// States come first. If only some terms have parameters, the other terms can also use εx.
     States,
     /// Parameters come first. In εa₁x, the constant εa₁ is then prepared, and x stays as it is.
     Parameters,
@@ -167,8 +167,8 @@ pub(in crate::plan) fn is_power_of_two(coefficient: &Rational) -> bool {
         .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
 }
 
-/// Returns the scalings to try: which symbols of a term are multiplied by ε. The preferred one
-/// comes first.
+/// Returns the scalings to try. If the field has parameters, ε multiplies parameters first in one
+/// scaling, and states first in the other.
 pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {

@@ -51,7 +51,7 @@ pub(in crate::plan) struct Writer {
 }
 
 impl Writer {
-    /// Returns an empty writer for each choice of the symbols that are multiplied by ε first.
+    /// Returns an empty writer for each of the `scalings` of the field.
     pub(in crate::plan) fn empty(field: &Field) -> Vec<Self> {
         scalings(field).into_iter().map(Self::new).collect()
     }
@@ -97,7 +97,7 @@ impl Writer {
         put.unwrap_or_else(|| self.draft.input(symbol))
     }
 
-    /// Returns the node of c/d. With c = 2, the increment 2εn/d needs no product with 2.
+    /// Returns the node of c/d with d = `denominator`. For an increment 2εn/d, c includes the 2.
     pub(in crate::plan) fn reciprocal(&mut self, c: &Rational, denominator: Node) -> Node {
         let c = self.draft.constant(c);
         self.draft.builder.divide(c, denominator)
@@ -211,7 +211,7 @@ impl Writer {
         let nesting = &nestings[usize::from(goal == FormGoal::Few)];
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        // Nested products and low degrees come first, because other summands may reuse them.
+        // Later summands may reuse nested products and terms of low degree, which come first.
         let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
             Summand::Term(monomial, _) => monomial.degree(),
             Summand::Product(..) => 0,

@@ -17,10 +17,10 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// For right-hand sides of at most this many terms, all `eps_distributions` are compared.
+/// For right-hand sides of at most this many terms, all ways to multiply ε into them are compared.
 const COMPARED_TERMS: usize = 12;
 
-/// The increment x̃ᵢ − xᵢ as numerator and reciprocal.
+/// The numerator of the increment x̃ᵢ − xᵢ, and the reciprocal that multiplies it, if any.
 type Increment = (Signed, Option<Node>);
 
 #[derive(Clone)]
@@ -30,7 +30,7 @@ struct Solution {
 }
 
 impl BlockOrder {
-    /// Returns the rotations of rows to try: by 0, 1, … rows, at most `most` of them.
+    /// Returns the numbers of places by which rows are rotated: 0, 1, …, at most `most` of them.
     fn row_rotations(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
@@ -93,7 +93,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// Writes x + x̃ for each state with a known image.
+    /// Replaces `SecondState(i)` by xᵢ + x̃ᵢ for each state with a known image x̃ᵢ.
     fn put_sums(&self, writer: &mut Writer) {
         for i in 0..self.first {
             let second = self.field.symbols.variable(Symbol::SecondState(i));

@@ -51,7 +51,7 @@ impl Writer {
             }
             self.truncate(before);
         }
-        // The first way is often the best. It is tried last, so that it need not be written again.
+        // The first way is often the best. Because it is tried last, its operations then remain.
         let result = write(self, first);
         match best {
             Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {

@@ -64,8 +64,8 @@ struct KnownMultiple {
     left: usize,
 }
 
-/// Returns the term m for which P − m·g has the fewest terms, if fewer than `least`. Here P is
-/// `polynomial`, and g is `sum`.
+/// Returns the term m for which P − m·g has the fewest terms, where P = `polynomial` and g = `sum`.
+/// Returns `None` if there are never fewer than `least` terms.
 fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<KnownMultiple> {
     let mut best: Option<KnownMultiple> = None;
     for term in polynomial.as_terms() {
@@ -85,8 +85,8 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
     best
 }
 
-/// Returns the quotient m of a term of P = `polynomial` and a term of g = `sum`, if P and m·g have
-/// at least `common` equal terms.
+/// Returns m, the quotient of a term of P = `polynomial` and a term of g = `sum`. Returns `None`
+/// unless P and m·g have at least `common` equal terms.
 fn multiple_at(
     polynomial: &Polynomial,
     sum: &Polynomial,

@@ -82,7 +82,7 @@ impl Writer {
         factors
     }
 
-    /// Returns the node of (cε)·v with v = `symbol`, or of cε without a symbol. cε is prepared.
+    /// Returns (cε)·v with v = `symbol`, or cε if that is `None`. cε is a prepared constant.
     pub(super) fn scaled_by(&mut self, c: &Rational, symbol: Option<Variable>) -> Node {
         let (eps, c) = (self.draft.input(self.scaling.epsilon()), self.draft.constant(c));
         let prepared = self.draft.multiply(c, eps);
