@@ -1,17 +1,17 @@
-// Orbits on canvases: points become pixels of an image, words and rules are drawn over
-// it.
+// Draws orbits on a canvas: writes points as pixels of an image, and draws lines and text with the
+// methods of the canvas.
 const METHODS = { kahan: ['Kahan’s map', '--c1'], euler: ['Euler', '--c3'], rk4: ['Runge–Kutta 4', '--c2'], flow: ['the flow itself', '--c6'] }
 const MARGIN = { left: 58, right: 12, top: 12, bottom: 40 }
 const NO_MARGIN = { left: 2, right: 2, top: 2, bottom: 2 }
 
-// Colours of orbits that have one each; all are seen on white and on black.
+// The colours of single orbits, which are visible on white and on black.
 const PAINTS = ['#2a7fb8', '#d1495b', '#3a9a5b', '#b07d12', '#8a5fc0', '#0f9a9a', '#c2589a', '#7a8b2a', '#5a78d6', '#c86432', '#6f7f8f', '#a0522d']
 const colour = name => (name.startsWith('#') ? name : getComputedStyle(document.documentElement).getPropertyValue(name).trim())
 const numbers = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16))
 const short = number => String(Number(number.toPrecision(4))).replace('-', '−').replace(/e\+?(.*)/, (_, power) => `·10${raised(power)}`)
 const raised = power => String(power).replace(/[-−]/, '⁻').replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])
 
-// The pixels of a canvas at the size that it has on the screen, and the scales of its axes.
+// Fits a canvas to its size on the screen; returns maps between coordinates and pixels.
 function sheet(canvas, window, margin = MARGIN) {
   const ratio = devicePixelRatio || 1
   const [width, height] = [canvas.clientWidth, canvas.clientHeight]
@@ -29,7 +29,7 @@ function sheet(canvas, window, margin = MARGIN) {
   }
 }
 
-// Returns about `count` round numbers between two ends.
+// Returns about `count` equally spaced round numbers from `low` to `high`.
 function ticks([low, high], count) {
   const rough = (high - low) / count
   const power = 10 ** Math.floor(Math.log10(rough))
@@ -38,7 +38,7 @@ function ticks([low, high], count) {
   return Array.from({ length: Math.max(0, Math.floor(high / step) - first + 1) }, (_, k) => (first + k) * step)
 }
 
-// Rules, numbers and names of the axes.
+// Draws the grid lines, their numbers, and the names of both axes.
 function axes({ context, ratio, width, height, window, x, y }, names, written = short, apart = 70) {
   context.setTransform(ratio, 0, 0, ratio, 0, 0)
   context.font = '13px system-ui, sans-serif'
@@ -54,7 +54,7 @@ function axes({ context, ratio, width, height, window, x, y }, names, written = 
   context.textAlign = 'center'
   for (const tick of ticks(window[0], width / 110)) {
     line([x(tick), MARGIN.top], [x(tick), bottom])
-    // A number at the edge is written inside.
+    // Moves a number at the right edge inside the canvas.
     context.fillText(short(tick), Math.min(x(tick), width - context.measureText(short(tick)).width / 2), bottom + 17)
   }
   context.textAlign = 'right'
@@ -68,8 +68,8 @@ function axes({ context, ratio, width, height, window, x, y }, names, written = 
   context.fillText(names[1], 4, MARGIN.top + 2)
 }
 
-// Draws points as squares, smaller ones if there are more points. A set may make its squares wider
-// by a number of pixels.
+// Draws points as squares; a set with more points has smaller squares. The field `wider` of a set
+// widens its squares by that number of pixels.
 function points(sheet, sets) {
   const { context, ratio, x, y } = sheet
   if (context instanceof VectorCanvas) { squares(sheet, sets); return }
@@ -87,7 +87,7 @@ function points(sheet, sets) {
     const back = (size - 1) / 2
     for (let k = 0; k < xs.length; k++) {
       const [px, py] = [zeroX + xs[k] * perX - back, zeroY + ys[k] * perY - back]
-      // What is not a number is outside, too.
+      // Skips points outside the frame, and also NaN, for which each comparison is false.
       if (!(px >= left && px < right - size && py >= top && py < bottom - size)) continue
       const at = Math.round(py) * width + Math.round(px)
       for (let row = at; row < at + size * width; row += width) {
@@ -100,7 +100,7 @@ function points(sheet, sets) {
 
 const sizeOf = count => (count <= 400 ? 4 : count <= 5000 ? 2 : count <= 50000 ? 1.6 : 1)
 
-// The points that are inside the frame, for a picture without pixels.
+// Draws the points inside the frame as squares of an SVG.
 function squares({ context, x, y, width, height, margin }, sets) {
   for (const { xs, ys, paint, wider } of sets) {
     const places = Array.from(xs, (value, k) => [x(value), y(ys[k])])
@@ -109,7 +109,7 @@ function squares({ context, x, y, width, height, margin }, sets) {
   }
 }
 
-// Drawing ends at the frame from here until the context is restored.
+// Clips all drawing to the frame, until the caller restores the context.
 function beginInside({ context, width, height }) {
   context.save()
   context.beginPath()
@@ -117,10 +117,10 @@ function beginInside({ context, width, height }) {
   context.clip()
 }
 
-// Points of an orbit that lines join, at most.
+// The largest number of points of an orbit whose points are joined by lines.
 const JOINED = 300
 
-// Joins the points of short orbits, in the order of their steps, inside the frame.
+// Joins successive points of each short orbit by lines, inside the frame.
 function joined(drawn, sets) {
   const { context, x, y } = drawn
   beginInside(drawn)
@@ -136,12 +136,12 @@ function joined(drawn, sets) {
   context.restore()
 }
 
-// Draws orbits, and a ring of the orbit's colour at each first point; the ring of the picked orbit
-// is filled, and lies above the others. The returned sheet maps pointer positions to coordinates.
+// Draws the orbits, and a ring at each first point, in a colour from `rings`. Fills the ring of the
+// picked orbit, and draws this ring last. Returns the sheet of the canvas.
 function portrait(canvas, window, drawAxes, sets, starts, picked, rings) {
   const drawn = sheet(canvas, window)
   points(drawn, sets)
-  // The points are above the rules.
+  // Draws the grid lines below the points.
   drawn.context.globalCompositeOperation = 'destination-over'
   drawAxes(drawn)
   drawn.context.globalCompositeOperation = 'source-over'
@@ -161,7 +161,7 @@ function portrait(canvas, window, drawAxes, sets, starts, picked, rings) {
   return drawn
 }
 
-// All of these numbers between two ends, but a share of the least and the greatest.
+// Returns the range of the values from `least` to `most`, without a share of them at either end.
 function span(lists, [least, most], share) {
   const values = []
   for (const list of lists) {

@@ -1,14 +1,14 @@
-// The plot under the portrait shows the change of the integrals along the picked orbit. Without a
-// known integral it shows the orbit against the time. The slider sets the last time that is drawn.
+// Draws the plot under the portrait: the change of the integrals along the picked orbit, or one
+// variable against the time if no integral is known. A slider sets the last time that is drawn.
 
-// Strokes of relations, which tell them apart from integrals.
+// The colours and dashes of the curves of relations; the curves of integrals are solid.
 const RELATION_PAINTS = ['--c4', '--c5', '--c2', '--c3', '--c6', '--c1']
 const STROKES = [['dashed', [7, 4]], ['dotted', [2, 3]]]
 const strokeOf = k => ({ paint: RELATION_PAINTS[k % 6], stroke: STROKES[Math.floor(k / 6) % 2] })
 
-// By how much integrals change: the logarithm of the largest relative change in each pixel. Of a
-// relation the errors are known, in equal parts of an orbit that takes all steps. Times until which
-// steps are shown are as long as the largest share says.
+// Draws the base-10 logarithm of the integrals' largest relative change, pixel by pixel. Also draws
+// the largest errors of relations, in equal parts of the time `whole`. Draws all curves up to
+// `share` of the last time, where `share` is from 0 to 1.
 function drift(canvas, time, orbits, relations, whole, share) {
   const FLOOR = -17
   const end = time.at(-1) || 1
@@ -36,10 +36,10 @@ function drift(canvas, time, orbits, relations, whole, share) {
   }
 }
 
-// Steps of an orbit against the time, as many as can be told apart.
+// The number of steps in the plot of a variable against the time.
 const SERIES = 400
 
-// A variable against the time along orbits, up to a row, and no further than it is in reach.
+// Draws a variable against the time along orbits, up to the row `until` or to an escape.
 function series(canvas, name, orbits, place, until) {
   const from = Math.max(0, until - SERIES)
   const parts = orbits.map(({ columns, paint, escaped }) => ({ paint, ts: columns[1].subarray(from, Math.max(until, from + 2)), values: columns[place].subarray(from, Math.min(until, (escaped ?? until) + 1)) }))
@@ -52,7 +52,7 @@ function series(canvas, name, orbits, place, until) {
   for (const { paint, ts, values } of parts) path(drawn, Array.from(values, (value, k) => [ts[k], value]).filter(([, value]) => Math.abs(value) < 1e100), paint)
 }
 
-// A line through points, inside the frame.
+// Draws a line through points, inside the frame.
 function path(drawn, points, paint, dashes = []) {
   const { context, x, y } = drawn
   beginInside(drawn)
@@ -65,7 +65,7 @@ function path(drawn, points, paint, dashes = []) {
   context.restore()
 }
 
-// The orbit of each method from the picked first point, the map's own first.
+// Returns one orbit of each method from the picked first point, Kahan's map first.
 const compared = () => lastDrawn.filter(({ at }) => at === state.at[state.picked]).filter(({ method }, k, all) => all.findIndex(other => other.method === method) === k)
 
 function drawDrift() {
@@ -89,7 +89,7 @@ function drawDrift() {
   series($('drift'), name, orbits, 2 + pointVariables().indexOf(name), Math.min(Math.max(count, 2), kahan.columns[0].length))
 }
 
-// The sentence where no integral is drawn.
+// Returns a sentence that says why the plot shows no integral.
 function unknown() {
   const lines = searched?.lines
   if (!lines) return `No integral is known yet: press “${$('search').textContent}” to search.`
@@ -97,7 +97,7 @@ function unknown() {
   return `The search found no integral${lines.length ? '; what it found stands under “What does it keep?”' : ''}.`
 }
 
-// One sentence on each method: what the pictures show.
+// Returns a description of the pictures: for each method, an escape or the change of the integrals.
 function seeing(orbits) {
   const parts = orbits.filter(({ method }) => method !== 'flow').map(({ method, integrals, columns, escaped }) => {
     const called = METHODS[method][0]
@@ -115,10 +115,10 @@ function seeing(orbits) {
   return [own?.seen, said, 'Try: make ε larger, or drag a ring.'].filter(Boolean).join(' ')
 }
 
-// Characters of a formula beside the plot, at most.
+// The largest number of characters of a formula in the caption of the plot.
 const MOST_SHOWN = 240
 
-// The lines of the drift plot: the integrals with their formulas, and the relations of a lift.
+// Returns the caption of the plot: the formulas of the integrals, and the relations of a lift.
 function drifting(names) {
   const item = (text, stroke) => {
     const [made, line, code] = ['li', 'span', 'code'].map(name => document.createElement(name))
@@ -140,15 +140,15 @@ function drifting(names) {
   return [`Along the picked orbit, ${[...change, ...errors].join(', and ')}${list.children.length ? ':' : '.'}`, list]
 }
 
-// --- The time until which orbits are drawn
+// --- The time up to which orbits are drawn
 
-let played = 1 // the place of the slider, from 0 to 1
-let playing = 0 // the frame that is asked for next, or 0
+let played = 1 // the position of the time slider, from 0 to 1
+let playing = 0 // the id of the next animation frame, or 0 during a pause
 
-// The number of rows shown while the picture plays: few at first, so that single steps are seen.
+// Returns how many of `rows` rows are shown: few at first, so that single steps are visible.
 const shownRows = rows => (played >= 1 ? rows : Math.max(2, Math.ceil(played ** 3 * rows)))
 
-// Milliseconds from the first step to the last.
+// The duration of the animation from the first step to the last, in milliseconds.
 const PLAY = 10000
 
 function playTo(place) {

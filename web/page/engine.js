@@ -1,7 +1,7 @@
-// Questions to workers. Each worker answers one question at a time; a question that is overtaken
-// ends with its worker, and a fresh one starts from the module that is compiled already.
+// Sends questions to web workers; each worker answers one question at a time. A new question
+// terminates the busy worker, and starts another worker with the module that is already compiled.
 const compiled = (async () => {
-  // Browsers before 2025 decode letter by letter.
+  // Decodes letter by letter in older browsers, which lack `Uint8Array.fromBase64`.
   const bytes = Uint8Array.fromBase64?.(WASM) ?? Uint8Array.from(atob(WASM), letter => letter.charCodeAt(0))
   const packed = new ReadableStream({ start(stream) { stream.enqueue(bytes); stream.close() } })
   const headers = { 'content-type': 'application/wasm' }
@@ -13,7 +13,7 @@ class Asker {
   #worker = null
   #waiting = null
 
-  // Starts the worker before it is asked, so that the first reply does not wait for it.
+  // Starts the worker ahead of its first question, unless the worker already runs.
   start() {
     if (this.#worker) return
     const worker = this.#worker = new Worker(workerText)
@@ -32,11 +32,11 @@ class Asker {
     this.#waiting = null
   }
 
-  // Ends what is asked now; its reply is null.
+  // Ends the current question with the reply null, and terminates the worker.
   stop() { if (this.#waiting) this.#end(null) }
 
-  // The reply to a question about a subject: {answer, html, columns} or {mistake}, or null where
-  // another question has overtaken it. A question that is asked twice is answered once.
+  // Returns a promise of the reply: {answer, html, columns} or {mistake}, or null after a newer
+  // question. Returns the pending promise if the worker is busy with the same question.
   async ask(subject, question, hears = () => {}) {
     const text = JSON.stringify({ subject, question })
     if (this.#waiting?.text === text) return this.#waiting.reply

@@ -1,33 +1,33 @@
-// The field that is typed or chosen, its parameters, its formulas, its lift.
-let chosen = { eps: false, at: false } // whether the reader or the address gave ε and the first points
+// Reads the field that the user types or chooses, and shows its parameters, formulas and lift.
+let chosen = { eps: false, at: false } // whether ε and the first points are known
 let catalog = []
-let sheetOf = null // the answer to `show` for the field as it is, or null where it has a mistake
-let lifted = null // what `show` says of the lift, where there is one
-let values = {} // of the parameters that have some
+let sheetOf = null // the answer to `show` for the current field, or null if the field has a mistake
+let lifted = null // the lift in the answer to `show`, if the field has a lift
+let values = {} // the values of parameters in the answer to `show`, by name
 let lastTyped = -Infinity
 
 const entry = () => catalog.find(({ name }) => name === state.system)
 const named = (text, given = state.params) => Object.fromEntries(Object.entries(given).filter(([name, value]) => NUMBER.test(value) && new RegExp(`\\b${name}\\b`).test(text)))
 const subject = () => ({ ...(entry() ? { name: state.system } : { field: state.field, ...lifting() }), params: named(state.field) })
-let isQuadratic = false // whether the text needs no lift
+let isQuadratic = false // whether the field is quadratic as it is written
 const lifting = () => (state.lift && !isQuadratic ? { lift: state.lift } : {})
-// A subject with values for the picture where parameters have none.
+// Returns the subject `asked`, with the picture's values for parameters that have no value.
 const pictured = asked => {
   const missing = Object.entries(state.shows).filter(([name]) => sheetOf?.parameters.includes(name) && !(name in values) && !(name in asked.params))
   return { ...asked, params: { ...Object.fromEntries(missing), ...asked.params } }
 }
-// The variables of first points and pictures.
+// Returns the variables of first points and axes: for a lifted field, the original variables.
 const pointVariables = () => lifted?.coordinates || sheetOf.variables
 
-// Another field with what belongs to it, as an act of the reader.
+// Replaces the field and everything that belongs to it, and adds an entry to the history.
 function choose(change) {
   state = { ...START, ...change }
   save('choose')
   open()
 }
 
-// The state is another one, by the history or the address; what was found stays where the field
-// does.
+// Shows the state `next`, which comes from the browser's history or the address. Keeps the results
+// of the search if the field stays the same.
 function reopen(next) {
   const key = () => JSON.stringify([state.system, state.field, state.lift, named(state.field)])
   const before = key()
@@ -54,12 +54,12 @@ function open() {
   return refresh()
 }
 
-// The first orbit is computed while the field is read, where ε and a first point are known.
+// Starts to compute the first orbit while the field is read, if ε and a first point are known.
 function foresee() {
   if (state.field && state.eps && state.at.length) mover.ask(subject(), orbitFrom(state.at[0], 'kahan', state.eps))
 }
 
-// The field is another one, and so are ε, the first points and the axes.
+// Takes the field from the text area, and clears ε, the first points, the axes and the view.
 function typed() {
   chosen = { eps: false, at: false }
   state = { ...state, system: '', field: $('field').value, eps: '', at: [], picked: 0, steps: START.steps, axes: [], section: [], view: null }
@@ -72,11 +72,11 @@ function typed() {
   later(refresh)
 }
 
-// Milliseconds without a key before a mistake is shown.
+// The time without a key press before the page shows a mistake, in milliseconds.
 const PAUSE = 600
 
 async function refresh() {
-  // A lift applies to texts that are not quadratic as they are written.
+  // Tries the text without the lift first; the lift applies only if this attempt fails.
   isQuadratic = true
   const plain = state.lift && await lead.ask(subject(), { ask: 'show' })
   if (plain === null) return
@@ -115,7 +115,7 @@ async function refresh() {
   await orbitsAnew()
 }
 
-// How the text was read, with what may have been meant otherwise.
+// Returns sentences which name the variables and parameters, and point out likely misreadings.
 function reading() {
   const variables = pointVariables()
   const list = names => names.map(name => `\`${name}\``).join(', ')
@@ -130,21 +130,21 @@ function reading() {
 }
 
 function showLift() {
-  // A tangent vector of a lifted field is in more variables than its orbit.
+  // Hides the exponent of a lifted field, whose tangent vectors have more variables than its orbit.
   $('exponents').hidden = Boolean(lifted)
   $('lifted').hidden = !lifted
   if (!lifted) return
   set('lift-shown', lifted.html)
   $('growing').hidden = !lifted.warning
   $('growing').textContent = lifted.warning ? `Note: ${lifted.warning}.` : ''
-  // The heading says where the answer stands, as the button is gone.
+  // Moves the focus to the heading of the lift, because the pressed button is now hidden.
   if (isLifting) $('h-lift').focus()
   isLifting = false
 }
 
-let isLifting = false // whether a lift was asked for by the button
+let isLifting = false // whether the user has just pressed the button for a lift
 
-// Another lift of the same text, or none.
+// Lifts the same text by the method `which`, or removes the lift if `which` is empty.
 function lift(which) {
   state = { ...state, lift: which, system: '' }
   save('lift')
@@ -152,8 +152,8 @@ function lift(which) {
   return refresh()
 }
 
-// The slider of a parameter goes from minus to plus twice its size, of a parameter without size
-// from −2 to 2.
+// Returns the range and step of a parameter's slider. The range is from −2|value| to 2|value|, or
+// from −2 to 2 if the value is 0.
 function rangeOf(value) {
   const size = Math.abs(value) || 1
   return { min: -2 * size, max: 2 * size, step: decimal(size / 50, 1) }
@@ -187,7 +187,7 @@ function parameters(names) {
     const slider = Object.assign(document.createElement('input'), { type: 'range', name, ariaLabel: `${name} in the picture` })
     setSlider(slider, valueOf(shown(name)), true)
     slider.oninput = () => {
-      // A parameter that is generic in formulas has a value in the picture alone.
+      // Changes only the picture if the parameter has no value in the formulas.
       if (state.params[name] || values[name] && !(name in state.shows)) {
         state.params = { ...state.params, [name]: slider.value }
         input.value = slider.value
@@ -212,7 +212,7 @@ function setSlider(slider, value, isNew = false) {
   slider.value = value
 }
 
-// Says what is wrong with what stands in an input, or that nothing is.
+// Shows a message if `isRight` is false, or clears the message; returns `isRight`.
 function checked(input, isRight, what) {
   input.setAttribute('aria-invalid', String(!isRight))
   const comma = /^[-−]?\d+,\d+$/.test(input.value.trim()) ? ` Write ${input.value.trim().replace(',', '.')}.` : ' Write a decimal, such as 0.15, or a fraction, such as 3/20.'
@@ -245,7 +245,7 @@ async function copied(id, what, text) {
   }
 }
 
-// The formulas of a sheet, a line each.
+// Returns the formulas for the clipboard: as text or LaTeX line by line, or for `kahan!` or SymPy.
 function written(answer, kind) {
   if (kind === 'kahan') return answer.macro
   if (kind === 'sympy') return answer.script

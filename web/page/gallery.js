@@ -1,6 +1,6 @@
-// Classical systems that are not in the catalog, each with a sentence, a source, a text,
-// parameters, ε, first points and axes. The page opens with the first system; the last ones are not
-// quadratic.
+// Lists classical systems outside the catalog, each with a description, a source, equations and the
+// initial state of its picture. The page opens with the first system. The last three systems are
+// lifted, because their equations are not quadratic.
 const CLASSICAL = [
   { name: 'Helmholtz’ oscillator, a spring softer on one side', seen: 'A spring that is softer on one side. Kahan’s map stays on closed curves, Euler’s method spirals out.', source: 'H. von Helmholtz, Die Lehre von den Tonempfindungen, 1863', field: 'xdot = v;\nvdot = -x - x^2;', eps: '0.15', at: ['1/10,0', '1/5,0', '3/10,0', '2/5,0', '12/25,0'], picked: 2, steps: 1000 },
   { name: 'The Volterra lattice of five sites', seen: 'Five species in a ring, each of which eats the next. Orbits of the map fill a torus, as those of the flow do.', source: 'M. Kac and P. van Moerbeke, Adv. Math. 16 (1975) 160', field: 'x1dot = x1*(x2 - x5);\nx2dot = x2*(x3 - x1);\nx3dot = x3*(x4 - x2);\nx4dot = x4*(x5 - x3);\nx5dot = x5*(x1 - x4);', eps: '0.05', at: ['1,2/3,1/2,1,3/4'], steps: 10000, axes: ['x1', 'x3'] },
@@ -17,7 +17,7 @@ const CLASSICAL = [
   { name: 'FitzHugh and Nagumo’s neuron, lifted', seen: 'A nerve cell that fires again and again. The cube becomes a product of variables.', source: 'R. FitzHugh, Biophys. J. 1 (1961) 445; J. Nagumo et al., Proc. IRE 50 (1962) 2061', field: 'vdot = v - v^3/3 - w + i;\nwdot = (v + 7/10 - 4/5*w)*2/25;', lift: 'automatic', params: { i: '1/2' }, eps: '0.02', at: ['1,0', '-1,1'], steps: 5000 },
 ]
 
-// What is shown beside each button: a small picture, which is drawn when it comes into sight.
+// The number of steps of each orbit in a small picture, which is drawn when it scrolls into sight.
 const THUMBNAIL_STEPS = 1000
 const inSight = new IntersectionObserver(seen => {
   for (const { target, isIntersecting } of seen) {
@@ -83,10 +83,10 @@ function gallery() {
   $('gallery').onchange = ({ target: { value } }) => choose(value.startsWith('#') ? CLASSICAL[value.slice(1)] : value ? { system: value } : { field: state.field, lift: state.lift })
 }
 
-// Values that are better known than those of the catalog.
+// The usual values of parameters, which replace those of the catalog.
 const USUAL = { lorenz: { b: '8/3' } }
 
-// The catalog joins what stands there, under the hands of whoever is choosing.
+// Adds the systems of the catalog to the gallery and to the menu, beside the existing entries.
 async function list() {
   catalog = (await new Asker().ask(undefined, { ask: 'list' })).answer.map(one => ({ ...one, params: { ...one.params, ...USUAL[one.name] } }))
   $('catalog').replaceChildren(...catalog.map(({ name, called, title, params }) => card({ name: called, text: title, entry: { system: name, params }, act: () => { choose({ system: name }); upToTop() } })))

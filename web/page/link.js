@@ -1,10 +1,10 @@
-// The state of the page, its address, and the history of the tab: each act of the reader is an
-// entry, so that the browser's Back and the page's Undo are one.
+// Keeps the state of the page in its address and in the tab's history. Each action of the user is
+// an entry of the history, so the browser's Back and the page's Undo do the same.
 const START = { system: '', field: '', lift: '', params: {}, shows: {}, eps: '', at: [], picked: 0, steps: 4000, axes: [], beside: ['euler', 'rk4'], over: [], section: [], view: null, turn: [-0.9, 0.3] }
 const MOST_STEPS = 1e6
 const MOST_ORBITS = 12
 
-// The lifts that can be asked for, by their names in questions.
+// The kinds of lift: the name in questions to a worker, and the description in the menu.
 const LIFTS = {
   automatic: 'the usual one',
   energy: 'one that keeps an energy',
@@ -14,12 +14,12 @@ const LIFTS = {
 }
 
 const isEmbedded = new URLSearchParams(location.hash.slice(1)).has('embed')
-// Claims that came with the link, in the language of `kahan!`, until they are proved once more.
+// The claims in the link, in the syntax of the macro `kahan!`, until the page proves these again.
 let brought = new URLSearchParams(location.hash.slice(1)).get('found')?.split('\n')
-// Characters of an address that claims take, at most.
+// The largest number of characters of the claims in an address.
 const MOST_FOUND = 8192
 
-// The address of the page as it is, with what was found.
+// Returns the current address, with the results of the search if these are short enough.
 function linkWithFindings() {
   const found = searched?.lines?.length ? `&${new URLSearchParams({ found: searched.lines.join('\n') })}` : ''
   return location.href + (found.length <= MOST_FOUND ? found : '')
@@ -70,7 +70,7 @@ function address(state) {
   return `#${given}`
 }
 
-// A number as questions have it, exactly: a fraction or a decimal.
+// The syntax of a number in questions to a worker: a decimal or a fraction.
 const NUMBER = /^[-−]?\d+(\.\d+)?(e-?\d+)?(\/\d+)?$/i
 const valueOf = text => {
   const [above, below = '1'] = text.replace('−', '-').split('/')
@@ -78,8 +78,8 @@ const valueOf = text => {
 }
 const decimal = (number, digits = 3) => String(Number(number.toPrecision(digits)))
 
-// Writes the state into the address. An act has an entry of its own in the history; what goes on
-// with the act before it, such as a drag, belongs to its entry.
+// Writes the state into the address. A new action adds an entry to the history. If the same action
+// goes on within a second, such as a drag, its entry is replaced.
 const visited = { place: history.state?.place ?? 0, last: history.state?.place ?? 0, act: '', at: 0 }
 function save(act = '') {
   const goesOn = act === visited.act && performance.now() - visited.at < 1000

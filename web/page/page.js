@@ -1,13 +1,13 @@
-// The page as a whole: its parts are wired, and what is asked for first is shown.
+// Starts the page: connects its parts, and shows the field of the address or the first example.
 const [lead, mover, follower, firstly, planner] = Array.from({ length: 5 }, () => new Asker())
 const workers = { search: new Asker(), exponent: new Asker(), heights: new Asker(), poles: new Asker() }
 const $ = id => document.getElementById(id)
 let state = readAddress()
 
-// A sentence, its formulas between backticks.
+// Writes a text into an element, and marks the parts between backticks as code.
 const say = (id, text) => $(id).replaceChildren(...text.split('`').map((part, k) => (k % 2 ? Object.assign(document.createElement('code'), { textContent: part }) : part)))
 
-// Boxes that scroll are stops for the keyboard, with a name; others are none.
+// Lets the Tab key reach each box that scrolls, and gives the box a name.
 const stops = new ResizeObserver(seen => {
   for (const { target: box } of seen) {
     const label = box.closest('.preserved')?.querySelector('.source')?.textContent || 'A formula or a table wider than the page'
@@ -16,7 +16,7 @@ const stops = new ResizeObserver(seen => {
   }
 })
 
-// Puts in what was set and drawn, its headings one level below those of the page's sections.
+// Fills an element with HTML from a worker, and changes h4 to h3, the level below a section's h2.
 function set(id, html) {
   $(id).innerHTML = html.replace(/`([^`<>]*)`/g, '<code>$1</code>').replace(/<(\/?)h4/g, '<$1h3')
   for (const box of $(id).querySelectorAll('[tabindex]')) stops.observe(box)
@@ -52,8 +52,8 @@ async function begin() {
   document.body.classList.add('ready')
   if (mistake) return
   gallery()
-  // The catalog takes longer than the first formulas, and so waits for them, but where they are of
-  // one of its systems.
+  // Loads the catalog after the field, because the catalog takes longer. Loads the catalog first if
+  // the address names one of its systems.
   if (state.system) {
     await list()
     open()

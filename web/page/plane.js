@@ -1,14 +1,14 @@
-// Overlays of the portrait: directions of the field, nullclines, equilibria with the eigenvalues of
-// f′, and the level curves of an integral through the first points.
+// Draws overlays of the portrait: directions of the field, nullclines, equilibria with eigenvalues
+// of the Jacobian f′, and level curves of an integral through the first points.
 const OVERLAYS = { directions: 'Direction field', nullclines: 'Nullclines', equilibria: 'Equilibria', levels: 'Level curves of an integral', colours: 'A colour for each orbit' }
 const GRID = [72, 48]
-// An arrow stands at each third point of the grid.
+// The distance between neighbouring arrows, in grid points.
 const APART = 3
 
 const inPlane = { key: '', isAsked: false, answer: null }
 
-// Draws over the portrait what the reader wants to see of the field, and asks for it where it is of
-// another view.
+// Draws the overlays that the user has chosen. Asks the worker for new values if the field or the
+// view has changed.
 function drawPlane(drawn) {
   $('resting').replaceChildren()
   if (isSpace()) return
@@ -19,7 +19,7 @@ function drawPlane(drawn) {
   const axes = state.axes.map(name => pointVariables().indexOf(name))
   const asked = hasLevels && isPlane ? measured() : pictured(subject())
   const question = { ask: 'plane', at, axes, window: drawn.window, points: GRID, ...(hasLevels && isPlane && { orbit: { eps: state.eps, at: [], steps: 0 } }) }
-  // Coordinates in the plane are those of the grid.
+  // Leaves coordinates along the axes out of the key, because the grid replaces these coordinates.
   const key = JSON.stringify([asked, { ...question, at: at.map((value, k) => (axes.includes(k) ? 0 : value)) }])
   if (key !== inPlane.key && !inPlane.isAsked) {
     inPlane.isAsked = true
@@ -45,7 +45,7 @@ function drawPlane(drawn) {
   context.restore()
 }
 
-// Strokes of one length, with a head, in the direction of the field on the screen.
+// Draws arrows of equal length in the direction of the field on the screen.
 function arrows({ context, x, y }, us, vs, place) {
   const LENGTH = 14
   const [perX, perY] = [x(1) - x(0), y(1) - y(0)]
@@ -74,7 +74,7 @@ function arrows({ context, x, y }, us, vs, place) {
   context.globalAlpha = 1
 }
 
-// The curves on which an integral has the values that it has along the orbits.
+// Draws the level curves of an integral through the first points of the orbits.
 function levels(drawn, integral, place) {
   const own = lastDrawn.filter(({ method, integrals }) => method === 'kahan' && integrals.length)
   $('levelled').textContent = integral && own.length ? `Curves on which ${own[0].names[own[0].integrals[0]]} has the values of the first points.` : unknown()
@@ -82,8 +82,8 @@ function levels(drawn, integral, place) {
   for (const { columns, integrals } of own) zeros(drawn, integral.map(value => value - columns[integrals[0]][0]), place, '--soft')
 }
 
-// The curves on which values on the grid are 0: a segment in each triangle whose corners have both
-// signs. Values that grow from both sides towards the change of sign have a pole there.
+// Draws the curves where values on the grid are 0: a segment in each triangle with both signs.
+// Skips a change of sign at a pole, towards which the absolute values grow from both sides.
 function zeros({ context, x, y }, values, place, paint) {
   context.strokeStyle = colour(paint)
   context.lineWidth = 1.6
@@ -113,7 +113,7 @@ function zeros({ context, x, y }, values, place, paint) {
   context.stroke()
 }
 
-// Squares at the equilibria, full where no orbit of the flow goes away, and the eigenvalues below.
+// Draws equilibria as squares, filled if all eigenvalues have real parts ≤ 0; lists eigenvalues.
 function resting({ context, x, y }, equilibria, axes) {
   context.strokeStyle = colour('--ink')
   context.lineWidth = 2

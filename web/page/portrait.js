@@ -1,7 +1,7 @@
-// The portrait: orbits as they are asked for, and the controls about them.
-let frame = null // what the portrait shows: its sheet, its window, its first points
+// Draws the portrait, which is the main picture with the orbits, and handles its controls.
+let frame = null // the drawn portrait: its sheet, its visible ranges and its first points
 let lastDrawn = []
-let relationErrors = [] // of the relations of a lift, along the picked orbit
+let relationErrors = [] // the errors of a lift's relations along the picked orbit
 
 async function orbitsAnew() {
   const variables = pointVariables()
@@ -31,14 +31,14 @@ async function orbitsAnew() {
   if (sheetOf === own) searchFirst()
 }
 
-// No orbit can be drawn, and so none is.
+// Hides the picture, and says why the page cannot draw the orbits.
 function undrawn(mistake) {
   say('ended', mistake)
   lastDrawn = []
   $('panes').hidden = true
 }
 
-// The slider goes over four powers of ten.
+// Returns ε for a position of the slider: 10⁻⁴ at the position 0, and 1 at the position 400.
 const ofSlider = place => decimal(10 ** (place / 100 - 4))
 
 function fields() {
@@ -63,7 +63,7 @@ function fields() {
   for (const box of $('overlays').querySelectorAll('input')) box.checked = state.over.includes(box.value)
 }
 
-// Work that is done anew as often as it is wished; wishes that come while it is done become one.
+// Returns a function that runs `work`; all calls during a run cause one more run.
 function merged(work) {
   let [isBusy, isOvertaken] = [false, false]
   return async () => {
@@ -81,7 +81,7 @@ function merged(work) {
   }
 }
 
-// Draws the orbits as they are now. The flow takes longer than the maps, and follows them.
+// Computes and draws the orbits of the current state; the flow follows later, because it is slower.
 const [moveMaps, moveFlow] = [merged(() => orbits(mover, ['kahan', ...state.beside.filter(name => name !== 'flow')])), merged(() => orbits(follower, ['flow']))]
 function move() {
   save()
@@ -99,12 +99,12 @@ async function relations(asked) {
   return names.map((_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
 }
 
-// Steps of the flow, which is computed to all digits, at most.
+// The largest number of steps of the flow, which takes longer to compute than the maps.
 const FLOW_STEPS = 2000
 
 const orbitFrom = (at, method, eps) => ({ ask: 'orbit', eps, at: at.split(','), steps: method === 'flow' ? Math.min(state.steps, FLOW_STEPS) : state.steps, method })
 
-// Kahan's map takes all first points; what it is compared with takes the picked one.
+// Computes orbits by Kahan's map from all first points, and by other methods from the picked point.
 async function orbits(asker, methods) {
   const [sheet, asked, { at: starts, picked, eps }] = [sheetOf, measured(), state]
   const made = []
@@ -112,7 +112,7 @@ async function orbits(asker, methods) {
     for (const at of method === 'kahan' ? starts : starts.slice(picked, picked + 1)) {
       const reply = await asker.ask(asked, orbitFrom(at, method, eps))
       if (!reply || sheet !== sheetOf) return
-      // An integral that was found may have no value here; the orbit has one all the same.
+      // Tries again without the integrals found, because one may be undefined along the orbit.
       if (reply.mistake && searched?.integrals?.length) { searched.integrals = []; return orbits(asker, methods) }
       if (reply.mistake) { undrawn(reply.mistake); return }
       const { head, rows, stopped, note } = reply.answer
@@ -132,12 +132,12 @@ async function orbits(asker, methods) {
   }
   const others = lastDrawn.filter(({ method }) => (method === 'flow') !== (asker === follower))
   const drawn = asker === follower ? [...others, ...made] : [...made, ...others]
-  // A flow of other points is no longer shown.
+  // Removes a flow with another first point or another ε.
   show(drawn.filter(({ method, eps, at }) => method !== 'flow' || state.beside.includes(method) && eps === state.eps && state.at[state.picked] === at))
 }
 
-// The columns of the points at which the orbit crosses the section, interpolated between two steps;
-// null without a section.
+// Returns the columns of the points at which the orbit crosses the section upwards, by linear
+// interpolation between two steps; returns null without a section.
 function crossingsOf(columns) {
   const [name, level] = state.section
   const place = 2 + pointVariables().indexOf(name)
@@ -161,7 +161,7 @@ function show(drawn) {
   drawDrift()
 }
 
-// What became of the orbits.
+// Writes the legend: the number of points, the orbits that escape, and notes.
 function legend(own) {
   const parts = [`${own.length * (state.steps + 1)} points of ${own.length === 1 ? 'one orbit' : `${own.length} orbits`}`]
   const crossed = own.filter(({ crossings }) => crossings)
@@ -178,18 +178,18 @@ function legend(own) {
   $('ended').textContent = `${parts.join('. ')}.`
 }
 
-// Draws what is shown as it is now, without asking for it anew.
+// Draws the orbits that are already computed, with the current view and overlays.
 function drawPortrait(canvas = $('portrait')) {
   const own = lastDrawn.filter(({ method }) => method === 'kahan')
-  // What has no size on the screen, such as a picture that is folded away, is not drawn.
+  // Returns early without orbits, or if the picture is hidden and so has no width.
   if (!own.length || !$('portrait').clientWidth) return
   const places = placesOf()
   const see = isSpace() ? seenFrom(state.turn, fitted) : point => point
   const window = state.view || (isSpace() ? wholeBox(canvas) : fitted)
   const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[pointVariables().indexOf(name)])))).map(see)
-  // The map itself lies above what it is compared with, which is drawn wider.
+  // Kahan's map is drawn above the other methods, whose points are wider.
   const isColoured = state.over.includes('colours') && own.length > 1
-  // A first point that was just added has a ring before its orbit is known.
+  // Each first point has a ring, even before its orbit is computed.
   const rings = state.at.map((_, k) => (isColoured ? PAINTS[k % PAINTS.length] : '--ink'))
   const isSection = own.some(({ crossings }) => crossings)
   const sets = lastDrawn.filter(({ crossings }) => crossings || !isSection).map(({ columns: all, crossings, paint, method, at }, k) => {
@@ -208,11 +208,11 @@ function drawPortrait(canvas = $('portrait')) {
   window.forEach((ends, k) => ends.forEach((end, j) => { if (document.activeElement !== rangeInputs()[2 * k + j]) rangeInputs()[2 * k + j].value = decimal(end, 4) }))
 }
 
-// The selects of the axes.
+// The ids of the menus for the axes.
 const AXES = ['across', 'upwards', 'inwards']
 const rangeInputs = () => $('ranges').querySelectorAll('input')
 
-// Moves a first point to where the pointer is in the plane of the axes.
+// Moves a first point to the coordinates [x, y] in the plane of the axes.
 function put(index, [x, y], act) {
   const coordinates = state.at[index].split(',')
   state.axes.forEach((name, k) => {
@@ -226,7 +226,7 @@ function put(index, [x, y], act) {
   move()
 }
 
-// Another orbit from a point of the picture.
+// Adds an orbit from a point of the picture, and picks this orbit.
 function add(point) {
   if (state.at.length >= MOST_ORBITS) { $('refused').textContent = `${MOST_ORBITS} orbits are the most; delete one first.`; return }
   state.at = [...state.at, state.at[state.picked]]
@@ -295,7 +295,7 @@ function wirePortrait() {
   for (const id of AXES) {
     $(id).onchange = () => {
       ;[state.axes, state.view, fitted] = [AXES.map(one => $(one).value).filter(Boolean), null, null]
-      // Time is no direction of the box.
+      // Replaces the time as an axis of the box, or returns to a picture with two axes.
       if (isSpace() && state.axes.includes('t')) state.axes = id === 'inwards' ? [...pointVariables().filter(name => name !== state.axes[2]).slice(0, 2), state.axes[2]] : state.axes.slice(0, 2)
       save('axes')
       fields()
@@ -360,7 +360,7 @@ function download(content, ending) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000)
 }
 
-// The rows of all orbits that are shown.
+// Returns the points of all computed orbits as CSV.
 function csv() {
   const rows = lastDrawn.flatMap(({ method, at, names, columns }, k) => Array.from(columns[0], (_, row) => [k + 1, method, ...columns.slice(0, 2 + at.split(',').length).map(column => column[row])].join(',')))
   return [['orbit', 'method', ...lastDrawn[0].names.slice(0, 2 + lastDrawn[0].at.split(',').length)].join(','), ...rows, ''].join('\n')

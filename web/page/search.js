@@ -1,14 +1,14 @@
-// The sections that take long: invariants, exponents, heights and poles. Each has its own worker.
-let searched = null // the subject of the search, its equations and what was found
-let isWanted = false // whether a search begins as soon as the field has no mistake
+// Runs the long computations, each in its own worker: invariants, exponents, heights and poles.
+let searched = null // the subject, the equations and the results of the last search, or null
+let isWanted = false // whether a search starts once the page has read the field
 
-// Seconds of the search that begins by itself with each field.
+// The time limit of the automatic search for each new field, in seconds.
 const FIRST_SEARCH = 4
 
-// Results that are no longer true: of another field all, of another value of a parameter those that
-// were found for the one before. A search that is under way begins anew.
+// Deletes outdated results: all results after a change of the field, or those for the old value of
+// the parameter `changed`. Lets a search that is under way start again.
 function forget(changed) {
-  // Orbits of another field have other columns.
+  // Deletes the orbits, because orbits of a new field have other columns.
   if (!changed) [sheetOf, lastDrawn] = [null, []]
   const holds = changed && !(changed in (searched?.subject.params || {}))
   isWanted ||= $('search').classList.contains('running') && !holds
@@ -26,7 +26,7 @@ function forget(changed) {
   } else if (searched?.equations) $('search-stage').textContent = `This was found for generic ${changed}, and so holds at its value, too.`
 }
 
-// Asks while a button says so; pressed once more, the button ends it. A double click is one press.
+// Asks a question; a second press of the button stops the question. A double click is one press.
 async function long(id, question, shows, hears = () => {}, about = subject()) {
   const [button, begun] = [$(id), performance.now()]
   if (button.classList.contains('running')) {
@@ -49,7 +49,7 @@ async function long(id, question, shows, hears = () => {}, about = subject()) {
     hears(data)
   })
   clearInterval(ticking)
-  // The field has changed, and the button is as it was.
+  // Returns early if the field has changed, because `forget` has already reset the button.
   if (!reply && !button.classList.contains('running')) return
   button.classList.remove('running')
   say(stage.id, reply ? reply.mistake || '' : 'Stopped.')
@@ -78,7 +78,7 @@ function search() {
   })
 }
 
-// The search that begins with each field, in a worker of its own; a button begins a longer one.
+// Runs the short automatic search for a field, in its own worker.
 let endFirst = () => {}
 async function searchFirst() {
   const asked = subject()
@@ -93,7 +93,7 @@ async function searchFirst() {
   return foundAll(asked, reply)
 }
 
-// Proves the claims of the link, and says whether they are shown; those that do not hold are not.
+// Proves the claims in the link, and shows proved claims. Returns false if the proof fails.
 async function foundInLink(asked) {
   const lines = brought
   brought = undefined
@@ -131,19 +131,19 @@ async function shownAll(asked, answer, html) {
   move()
 }
 
-// Claims say for which values of parameters they are made, so the equations name these.
+// Returns the equations with named parameters, because each claim states its values of parameters.
 async function equationsOf(asked) {
   const sheet = await workers.search.ask({ ...asked, params: {} }, { ask: 'show' })
   const right = sheet?.answer && (sheet.answer.field_at_eps ?? sheet.answer.field)
   return right && sheet.answer.variables.map((name, k) => `${name}dot = ${right[k]};`)
 }
 
-// Results live as long as the tab, so that a reload shows them at once.
+// Stores the results of a search in the tab, so that a reload shows the results at once.
 function keep(asked, reply) {
   try {
     sessionStorage.setItem(`found ${JSON.stringify(asked)}`, JSON.stringify(reply))
   } catch {
-    // The room that a browser gives is full, and what is kept can be found again.
+    // Empties the storage if the storage is full; a search can find the results again.
     sessionStorage.clear()
   }
 }
@@ -156,7 +156,7 @@ function keptFor(asked) {
   }
 }
 
-// What was found, in the language of `kahan!` or in LaTeX.
+// Copies the results of the search, in the syntax of the macro `kahan!` or as LaTeX.
 async function copyFound(kind) {
   if (kind === 'text') { copied('copied-found', 'what was found as text', searched.lines.join('\n')); return }
   const reply = await lead.ask(claimed(searched.lines), { ask: 'show', as: 'latex' })
@@ -165,18 +165,18 @@ async function copyFound(kind) {
   copied('copied-found', 'what was found as LaTeX', lines)
 }
 
-// The field of the search with some of what was found.
+// Returns the subject of the search, with the claims `lines` after its equations.
 function claimed(lines) {
-  // A lift takes claims behind the equations as they are written, and points in their variables.
+  // Keeps the original equations of a lifted field, so that points stay in the original variables.
   if (lifted) return { ...searched.subject, field: [searched.subject.field, ...lines].join('\n') }
   const field = [...searched.equations, ...lines].join('\n')
   const params = named(field)
-  // The values that the text itself gives.
+  // The values of parameters that the text itself gives.
   const own = Object.entries(values).filter(([name]) => !(name in params) && new RegExp(`\\b${name}\\b`).test(field))
   return { field: [...own.map(([name, value]) => `${name} = ${value};`), field].join('\n'), params }
 }
 
-// The field with integrals, its own or those that were found, and values for the picture.
+// Returns the subject with its own integrals or those of the search, and with the picture's values.
 function measured() {
   const integrals = searched?.integrals || []
   return pictured(integrals.length && !sheetOf.claims.some(({ kind }) => kind === 'integral') ? claimed(integrals) : subject())

@@ -1,9 +1,9 @@
-// Orbits of three variables in a box that turns, as they look from far away.
+// Draws orbits of three variables in a box that the user can turn, in parallel projection.
 
 const isSpace = () => state.axes.length === 3
 
-// Projects a point of the unit cube to the screen, for a viewer at two angles: about the third
-// axis, and above the plane of the first two axes.
+// Returns the projection of points of the box to the screen. The viewer's direction has the angle
+// `about` around the third axis, and `above` over the plane of the first two axes, in radians.
 function seenFrom([about, above], box) {
   const [cosA, sinA, cosE, sinE] = [Math.cos(about), Math.sin(about), Math.cos(above), Math.sin(above)]
   const scales = box.map(([low, high]) => [(low + high) / 2, 2 / Math.sqrt(3) / (high - low)])
@@ -13,13 +13,13 @@ function seenFrom([about, above], box) {
   }
 }
 
-// The plane in which the box is seen, with one scale across and upwards.
+// Returns the ranges of the screen that show the whole box, with equal scales on both axes.
 function wholeBox({ clientWidth, clientHeight }) {
   const wide = (clientWidth - MARGIN.left - MARGIN.right) / (clientHeight - MARGIN.top - MARGIN.bottom)
   return [[-wide, wide], [-1, 1]].map(ends => ends.map(end => 0.92 * end))
 }
 
-// So many points of an orbit as they are seen.
+// Returns the screen coordinates of the first `count` points of an orbit.
 function seenPoints(columns, places, count, see) {
   const [xs, ys] = [new Float64Array(count), new Float64Array(count)]
   const [us, vs, ws] = places.map(k => columns[k])
@@ -27,7 +27,7 @@ function seenPoints(columns, places, count, see) {
   return { xs, ys }
 }
 
-// The edges of the box, and the names and ends of its axes at three of them.
+// Draws the edges of the box, and writes the names and ranges of the axes along three edges.
 function edges({ context, ratio, x, y }, names, box, see) {
   context.setTransform(ratio, 0, 0, ratio, 0, 0)
   context.font = '13px system-ui, sans-serif'
@@ -44,7 +44,7 @@ function edges({ context, ratio, x, y }, names, box, see) {
   context.stroke()
   context.textAlign = 'center'
   names.forEach((name, k) => {
-    // The lowest edge of the four in this direction, of upright ones the leftmost.
+    // Chooses the lowest edge along axis k, or the leftmost edge along the upright axis.
     const beside = [0, 1, 2, 3, 4, 5, 6, 7].filter(bits => !(bits >> k & 1))
     const least = bits => corner(bits)[k === 2 ? 0 : 1] + corner(bits | 1 << k)[k === 2 ? 0 : 1]
     const bits = beside.reduce((one, other) => (least(other) < least(one) ? other : one))
@@ -59,7 +59,7 @@ function edges({ context, ratio, x, y }, names, box, see) {
   })
 }
 
-// Turns the box as a pointer moves by `across` and `upwards` pixels.
+// Turns the box by `across` and `upwards` pixels, of which 120 make one radian.
 function turn(across, upwards, act = 'turn') {
   const [about, above] = state.turn
   const half = Math.PI / 2

@@ -1,6 +1,6 @@
-// A canvas that writes what is drawn on it as SVG, for the parts of a canvas that this page uses.
+// Replaces a canvas, and records the drawing as SVG; has only the methods that this page uses.
 class VectorCanvas {
-  #under = [] // what is drawn below all that was drawn before
+  #under = [] // the elements below all others, drawn in the mode `destination-over`
   #over = []
   #path = ''
   #isClipped = false
@@ -14,7 +14,7 @@ class VectorCanvas {
   setAttribute() {}
   save() {}
   restore() { [this.#isClipped, this.globalAlpha] = [false, 1] }
-  // The one part that is clipped to is the frame.
+  // Clips to the current path, which is always the frame of the picture.
   clip() { [this.#isClipped, this.#frame] = [true, this.#path] }
   measureText(text) { return { width: 7 * text.length } }
 
@@ -27,7 +27,7 @@ class VectorCanvas {
   fill() { this.#put(`<path d="${this.#path}" fill="${this.fillStyle}"/>`) }
   fillText(text, x, y) { this.#put(`<text x="${x}" y="${y}" fill="${this.fillStyle}" text-anchor="${{ left: 'start', center: 'middle', right: 'end' }[this.textAlign]}">${text}</text>`) }
 
-  // Squares of one size and colour, of those in one place one.
+  // Draws squares of one size and colour; draws only one of several squares in the same place.
   squares(points, size, paint) {
     const places = new Set(points.map(([x, y]) => `M${this.#at(x, y)}h0`))
     this.#put(`<path d="${[...places].join('')}" fill="none" stroke="${paint}" stroke-width="${size}" stroke-linecap="square"/>`)

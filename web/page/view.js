@@ -1,24 +1,24 @@
-// The view of the portrait, and what pointers and keys do there.
-let fitted = null // the view that the orbits give, as long as no other is asked for
+// Sets the view, which is the visible part of the plane, and handles pointers and keys.
+let fitted = null // the view that fits the orbits, which applies while `state.view` is null
 
-// The size, seen from the first point, beyond which an orbit is lost to a picture.
+// The factor by which an orbit that escapes exceeds the size of its first point.
 const REACH = 1e3
 
-// The step after which an orbit is out of reach until its end, or null.
+// Returns the last step before an orbit escapes for good or stops, or null if the orbit stays.
 function escapeOf({ columns, at, stopped }) {
   const own = columns.slice(2, 2 + at.split(',').length)
   const size = REACH * (Math.max(...own.map(column => Math.abs(column[0]))) || 1)
   let last = own[0].length - 1
-  // What is not a number is out of reach, too.
+  // Treats NaN as out of reach, because each comparison with NaN is false.
   while (last >= 0 && !own.every(column => Math.abs(column[last]) <= size)) last--
   return last < own[0].length - 1 ? last : stopped ? stopped.step : null
 }
 
-// The view that shows the orbits of the map that stay, or where none does how all of them begin.
+// Returns the view that shows the orbits of the map that stay, or how all begin if none stays.
 function fit(places) {
   const own = lastDrawn.filter(({ method }) => method === 'kahan')
   const stays = own.filter(({ escaped }) => escaped === null)
-  // An orbit that is much wider than most of the others does not make these small.
+  // Leaves out each orbit that is more than three times as wide as the median orbit.
   const widths = stays.map(({ columns }) => Math.max(...places.filter(k => k !== 1).map(k => (([low, high]) => high - low)(span([columns[k]], [-Infinity, Infinity], 0.005)))))
   const usual = widths.toSorted((a, b) => a - b)[(widths.length - 1) >> 1]
   const staying = stays.filter((_, k) => widths[k] <= 3 * usual)
@@ -29,7 +29,7 @@ function fit(places) {
     const size = Math.max(...starts.map(Math.abs)) || 1
     if (!staying.length) return span(lists, [-8 * size, 8 * size], 0)
     const [low, high] = span(lists, [-REACH * size, REACH * size], 0.005)
-    // An orbit that comes to rest spends few steps where it begins.
+    // Adds the first 200 points, because an orbit that comes to rest soon leaves its beginning.
     const reach = 4 * Math.max(size, high - low)
     const early = lists.map(list => list.subarray(0, 200)).map(list => list.filter(value => value >= low - reach && value <= high + reach))
     return span([[low, high], ...early], [-Infinity, Infinity], 0)
@@ -39,7 +39,7 @@ function fit(places) {
   })
 }
 
-// Another view; drawing waits for the next frame.
+// Sets the view, and draws the portrait in the next animation frame.
 let isDrawing = false
 function look(view, act) {
   state.view = view
@@ -49,15 +49,15 @@ function look(view, act) {
   requestAnimationFrame(() => { isDrawing = false; drawPortrait() })
 }
 
-// Makes the view `times` as wide; the given point of the canvas keeps its place.
+// Scales the ranges of the view by `times`; the point [px, py] of the canvas stays in its place.
 function zoom(times, [px, py] = [frame.width / 2, frame.height / 2], act = 'zoom') {
   const point = frame.point(px, py)
   const view = (state.view || frame.window).map(([low, high], k) => [low, high].map(end => point[k] + (end - point[k]) * times))
-  // Doubles have no finer points.
+  // Refuses ranges that are too narrow for the precision of floating-point numbers, or too wide.
   if (view.every(([low, high]) => high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high)) && high - low < 1e100)) look(view, act)
 }
 
-// Moves the view by `across` and `upwards` pixels.
+// Moves the view to the left by `across` pixels, and up by `upwards` pixels.
 function pan(across, upwards, act = 'pan') {
   const by = [[frame.width, MARGIN.left + MARGIN.right, -across], [frame.height, MARGIN.top + MARGIN.bottom, upwards]]
   look((state.view || frame.window).map(([low, high], k) => {
@@ -72,8 +72,8 @@ function fitAgain() {
   look(null, 'fit')
 }
 
-// One finger scrolls the page and two zoom; a mouse or a pen moves the view, and a click begins an
-// orbit; each moves a ring. In space a mouse, a pen and arrows turn the box instead.
+// One finger scrolls the page, and two fingers zoom. A mouse or pen moves the view or turns the
+// box. In the plane, a click or tap adds an orbit, and a drag of a ring moves its first point.
 function pointers() {
   const canvas = $('portrait')
   const down = new Map()
@@ -121,8 +121,8 @@ function pointers() {
   }
   canvas.onpointercancel = event => { down.delete(event.pointerId); held = -1 }
   canvas.onpointerleave = () => { $('where').textContent = '' }
-  // A wheel scrolls the page. With Ctrl (also sent by touchpad pinches), or over a picture that has
-  // the focus, the wheel zooms.
+  // The wheel zooms with Ctrl, which browsers also report for a touchpad pinch, or if the picture
+  // has the focus. Otherwise, the wheel scrolls the page.
   canvas.addEventListener('wheel', event => {
     if (!frame || !(event.ctrlKey || event.metaKey || document.activeElement === canvas)) return
     event.preventDefault()
@@ -145,7 +145,7 @@ function pointers() {
   }
 }
 
-// The coordinates under the pointer.
+// Shows the coordinates under the pointer, if the pointer is inside the frame.
 function hover([px, py]) {
   const [x, y] = frame.point(px, py)
   const isInside = !isSpace() && x >= frame.window[0][0] && x <= frame.window[0][1] && y >= frame.window[1][0] && y <= frame.window[1][1]

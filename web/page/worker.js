@@ -1,5 +1,5 @@
-// The worker's side: opens the module once, then answers one question after the other.
-// It is written as a function, because a page from file:// makes its workers of a text.
+// Runs in a web worker: opens the WebAssembly module once, then answers question after question.
+// The page starts workers from this function's text, because workers cannot load from file://.
 function inWorker() {
   let module
   const text = (at, length) => new TextDecoder().decode(new Uint8Array(module.memory.buffer, at, length))
@@ -21,7 +21,7 @@ function inWorker() {
     reply.columns = new Float64Array(module.memory.buffer, module.columns(), module.floats()).slice()
     return reply
   }
-  // What is thrown here, by the module too, is an `error` that the page hears of.
+  // Passes exceptions on, also those of the module; the page receives each as an `error` event.
   self.onmessage = ({ data }) => {
     if (data.module) module = new WebAssembly.Instance(data.module, { page }).exports
     else {
