@@ -1,6 +1,6 @@
-"""The page in Chromium, offline, from file://, as a reader meets it; and the figures of its README.
+"""Tests the page in Chromium, offline, from file://, and measures the figures of its README.
 
-In: the files of web/dist, and the command `kahan`, whose texts and bits the page must have."""
+Reads the page from web/dist, and compares its texts and bits with those of the command `kahan`."""
 
 import argparse
 import itertools
@@ -78,10 +78,10 @@ def sections_are_near_those_of_the_command(browser, kahan):
         tab.waits(DRAWN)
         tab.waits(f"document.querySelector('#ended').textContent.includes('{len(section)} crossings')")
         columns = tab.page.evaluate("lastDrawn[0].crossings.slice(2).map(column => [...column])")
-        # Between two steps of Δt = 1/200 a line differs from the orbit by at most Δt²/8 of a second
+        # Linear interpolation between steps of Δt = 1/200 errs by at most Δt²/8 times the second
         # derivative, which is below 10⁴ on the attractor.
         assert all(abs(x - y) < 1e4 / 200**2 / 8 for point, own in zip(section, zip(*columns), strict=True) for x, y in zip(point, own, strict=True))
-        # The controls of the section stand between the picture and the plot below it.
+        # The controls of the section are between the portrait and the plot.
         above, own, below = [tab.page.locator(one).bounding_box()["y"] for one in ["#portrait", "#crossed", "#drift"]]
         assert above < own < below, (above, own, below)
         tab.page.select_option("#crossed", "")
@@ -101,7 +101,7 @@ def the_exponent_is_that_of_the_command(browser, kahan):
         tab.page.click("#exponent")
         tab.waits("document.querySelector('#exponent-shown').textContent.includes('from 1,1,1')")
         assert f"λ = {answer['value']:.3g}," in tab.text("#exponent-shown"), tab.text("#exponent-shown")
-    # A lift has more variables than the orbit, so no exponent is offered.
+    # The page hides the exponent of a lifted field.
     with Tab(browser, address(field=NEURON, lift="automatic")) as tab:
         tab.waits(LIFTED)
         assert tab.page.is_hidden("#exponent")
@@ -148,7 +148,7 @@ def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
         tab.page.click("#lift")
         tab.waits(LIFTED)
         assert tab.page.is_hidden("#mistake") and tab.page.evaluate("document.activeElement.id") == "h-lift"
-        # Without a value of g there is no orbit along which relations could be watched.
+        # The page follows relations along an orbit, which needs a value of g.
         assert "not followed" in tab.text("#lift-shown")
         tab.page.fill("#parameters input", "2")
         tab.waits("document.querySelector('#lift-shown').textContent.includes('bounded')")
@@ -159,7 +159,7 @@ def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
         for relation in object_["relations"]:
             fate = f"kept exactly: {relation['formula']}" if relation["formula"] else relation["along"]
             assert fate in said, (fate, said)
-        # Points and axes are in the original variables; relations are drawn beside the energy.
+        # Points and axes are in the original variables; the plot shows relations and the energy.
         tab.waits("state.at.length > 0")
         tab.waits(DRAWN)
         assert tab.page.evaluate("[state.at[0].split(',').length, state.axes.join()]") == [2, "x,v"]
@@ -172,7 +172,7 @@ def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
         shared = tab.page.url
         tab.page.click("#unlift")
         tab.waits("!document.querySelector('#offer').hidden")
-        # A quadratic field that is typed after a lifted one is not lifted.
+        # The page leaves a quadratic field as it is, even after a lifted field.
         tab.page.click("#lift")
         tab.waits(LIFTED)
         tab.page.fill("#field", "x' = y, y' = 1 - x^2")
@@ -192,13 +192,13 @@ def lifts_are_chosen_along_an_orbit_searched_and_refused(browser, kahan):
         assert "decays at the rate -1." in tab.text("#lift-shown") and tab.page.is_hidden("#growing")
         tab.waits(DRAWN)
         assert tab.page.evaluate("Math.max(...relationErrors[0])") < 0.1
-        # Relations are measured along orbits in the original variables.
+        # First points of a lifted field are in the original variables.
         tab.page.fill("#field", "x'' = -x^5")
         tab.waits(f"{LIFTED} && document.querySelector('#lift-shown').textContent.includes('energy')")
         found(tab)
         tab.waits(DRAWN)
         assert tab.page.evaluate("state.at[0].split(',').length") == 2
-        # Of what is no mechanical system there is no energy lift, and the way back is open.
+        # The page refuses an energy lift of a field that is not mechanical, and takes another lift.
         tab.page.fill("#field", NEURON)
         tab.waits("document.querySelector('#lift-shown').textContent.includes('decays')")
         tab.page.select_option("#which-lift", "energy")
@@ -207,7 +207,7 @@ def lifts_are_chosen_along_an_orbit_searched_and_refused(browser, kahan):
         tab.waits(f"document.querySelector('#mistake').hidden && {LIFTED}")
         tab.page.fill("#field", E6)
         tab.waits("document.querySelector('#lifted').hidden && document.querySelector('#lifting').hidden")
-        # A text that no lift reads is refused with the reason, and without the button.
+        # The page refuses a text that no lift can read, gives the reason, and hides the button.
         for text, why in [("xdot = abs(x);", "corner"), ("xdot = sin(x", "")]:
             tab.page.fill("#field", text)
             tab.waits(f"document.querySelector('#mistake').textContent.includes({json.dumps(why)}) && !document.querySelector('#mistake').hidden")
@@ -234,7 +234,7 @@ def starts_are_clicked_and_dragged(browser, _):
         tab.page.locator("#portrait").scroll_into_view_if_needed()
         box = tab.page.locator("#portrait").bounding_box()
         mouse, click = tab.page.mouse, [box["x"] + 0.4 * box["width"], box["y"] + 0.4 * box["height"]]
-        # Where the first ring is, a click would pick it.
+        # The click must be far from the first ring, because a click on a ring picks its orbit.
         ring = tab.page.evaluate("[frame.x(frame.starts[0][0]), frame.y(frame.starts[0][1])]")
         assert abs(ring[0] - 0.4 * box["width"]) + abs(ring[1] - 0.4 * box["height"]) > 30, ring
         mouse.click(*click)
@@ -270,7 +270,7 @@ def long_numbers_and_traps_end_in_a_reply(browser, _):
     own = "xdot = a*y - x*z;\nydot = y*z - a*x;\nzdot = x^2 - y^2;"
     with Tab(browser, address(field=own, param="a=1/2", eps="1/8", at="1/2,1/4,1/6")) as tab:
         tab.waits(DRAWN)
-        # A module whose answer is a trap takes the place of the page's own in the next worker.
+        # Gives the next worker a module whose function `ask` traps, in place of the page's module.
         tab.page.evaluate(
             """() => { const post = Worker.prototype.postMessage
                 // (memory "memory" 1) (func "room" (param i32) (result i32) i32.const 0) (func "ask" (result i32) unreachable)
@@ -285,13 +285,13 @@ def long_numbers_and_traps_end_in_a_reply(browser, _):
         tab.page.click("#heights")
         tab.waits("document.querySelector('#heights-stage').textContent.includes('failed')")
         assert tab.page.get_attribute("#heights", "class") == "" and "unreachable" in tab.text("#heights-stage")
-        # Numbers of 39 000 digits on the way, and poles at the same time.
+        # Follows an orbit with numbers of 39 000 digits, and poles at the same time.
         tab.page.click("#heights")
         tab.page.click("#poles")
         tab.waits("document.querySelector('#heights-stage').textContent.includes('over 60 steps')", 60)
         tab.waits("document.querySelector('#poles-stage').textContent.includes('growth')", 60)
         tab.page.click("#heights")
-        # A press within half a second of the first belongs to a double click, and stops nothing.
+        # Waits, because the page takes two presses within half a second as a double click.
         tab.page.wait_for_timeout(600)
         tab.page.click("#heights")
         tab.waits("document.querySelector('#heights-stage').textContent === 'Stopped.'")
@@ -308,7 +308,7 @@ def a_mistake_disables_what_follows(browser, _):
         tab.page.fill("#field", E6.replace("2*z", "a*z"))
         tab.waits("!document.querySelector('#rest').disabled && state.shows.a !== undefined")
         tab.waits(DRAWN)
-        # ε and the first points are chosen anew, and a has a value in the picture alone.
+        # The page chooses ε and first points again, and gives `a` a value only in the picture.
         assert tab.page.evaluate("[state.eps, state.at.join(';')]") != ["0.07", "1,1/2,1/3;1,1,1/5"]
         assert tab.page.evaluate("'a' in named(state.field)") is False and "show=a%3D" in tab.page.evaluate("location.hash")
         chosen = tab.page.evaluate("[state.eps, state.at.join(';')]")
@@ -344,7 +344,7 @@ def what_was_found_is_measured_kept_and_copied(browser, _):
         assert "J = " not in tab.page.evaluate("navigator.clipboard.readText()")
         tab.page.fill("#parameters input", "2")
         tab.waits("document.querySelector('#arrived').textContent.includes('when a = 2')")
-    # The catalog's Euler top claims a density of the name that the search would take.
+    # The Euler top in the catalog claims a density under the name that a search would choose.
     with Tab(browser, address(system="euler")) as tab:
         found(tab)
         shown = tab.text("#search-shown")
@@ -363,7 +363,7 @@ def frames_follow_what_is_shown(browser, _):
         tab.waits("!document.querySelector('#ended').textContent.includes('Euler')")
         tab.page.check("#methods input[value=flow]")
         tab.waits("lastDrawn.some(({method}) => method === 'flow')")
-        # The map moves at once, and the flow after it.
+        # `move` waits for the map, and the flow follows later.
         assert tab.page.evaluate("(async () => { state.at = ['3/10,0']; await move(); return lastDrawn.map(({method, at}) => method + at).join() })()") == "kahan3/10,0"
         tab.waits("lastDrawn.some(({method, at}) => method === 'flow' && at === '3/10,0')")
     print("frames follow what is shown, and the map does not wait for the flow")
@@ -403,7 +403,7 @@ def screenshots(browser, folder):
 
 
 def figures(browser, kahan):
-    """The figures that the README promises, as (name, value, at most)."""
+    """Returns the figures that the README promises, as (name, value, whether the limit holds)."""
     size = sum(len(subprocess.run(["gzip", "-9", "-c", file], check=True, capture_output=True).stdout) for file in (WEB / "dist").iterdir())
     context = browser.new_context(offline=True)
     opening, pictured = [], []
@@ -418,7 +418,7 @@ def figures(browser, kahan):
         page.goto(address(field=E6))
         page.wait_for_function("document.querySelector('#formulas math') !== null", polling="raf")
         opening.append(1000 * (time.perf_counter() - begun))
-        # What a page does next is not to delay the one that is opened after it.
+        # Waits until the page has finished, so that the next page opens without delay.
         page.wait_for_function(DRAWN)
         time.sleep(1)
     opening, pictured = statistics.median(opening[1:]), statistics.median(pictured[1:])

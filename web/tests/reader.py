@@ -1,5 +1,5 @@
-"""What a reader does beside typing: keys, fingers, the history, wrong entries, print, what is drawn
-over the orbits and taken away."""
+"""Tests what a user does besides typing a field: keys, touch, the history, wrong entries, print,
+overlays, downloads and links."""
 
 import pathlib
 import xml.etree.ElementTree
@@ -86,7 +86,6 @@ def the_mouse_pans_zooms_and_leaves_the_right_button_alone(browser, _):
         mouse.up()
         tab.waits(f"frame.window[0][0] < {before[0]}")
         assert tab.page.evaluate("state.at.length") == 2, "neither the right button nor a drag begins an orbit"
-        # A wheel over a picture without the focus scrolls the page.
         tab.page.locator("#field").focus()
         wide = "(frame.window[0][1] - frame.window[0][0])"
         now = tab.page.evaluate(wide)
@@ -197,7 +196,7 @@ def headings_are_in_order(browser, _):
         assert levels[0] == 1 and all(after <= before + 1 for before, after in zip(levels, levels[1:])), levels
 
 
-# The picture as SVG.
+# JavaScript that returns the picture as SVG.
 VECTOR = "(() => { const paper = new VectorCanvas($('portrait')); drawPortrait(paper); return paper.text() })()"
 
 
@@ -205,7 +204,7 @@ def level_curves_go_through_first_points(browser, _):
     with Tab(browser, address(**SWING, over="levels")) as tab:
         tab.waits("document.querySelector('#levelled').textContent.includes('Curves on which H')")
         tab.waits("inPlane.answer?.columns.length === 3 * GRID[0] * GRID[1]")
-        # The values on the grid are those of the orbit, between its points.
+        # The integral at the grid points next to the orbit is close to its value on the orbit.
         far = tab.page.evaluate(
             """(() => {
                 const [{columns, integrals}] = lastDrawn, {answer: {columns: grid, window}} = inPlane
@@ -234,9 +233,9 @@ def orbits_have_colours_of_their_own(browser, _):
         tab.page.click("#more summary")
         tab.page.check("#overlays input[value=colours]")
         tab.waits("location.hash.includes('over=colours')")
-        # A ring and points.
+        # The ring and the points of the second orbit have this colour.
         assert tab.page.evaluate(VECTOR).count(second) == 2
-        # The picture may be drawn before the orbits of points that were just added or deleted.
+        # Draws the picture after a change of first points, before their orbits are computed.
         tab.page.evaluate("state.at = [...state.at, ...state.at, '1/2,1/3']; drawPortrait(); state.at = state.at.slice(0, 1); state.picked = 0; drawPortrait()")
     print("each orbit has a colour, where that is wished")
 
@@ -253,7 +252,7 @@ def what_is_shown_is_taken_away(browser, _):
         drawing = xml.etree.ElementTree.fromstring(files["svg"])
         of = lambda tag: list(drawing.iter(f"{{http://www.w3.org/2000/svg}}{tag}"))
         assert {"x", "v"} <= {text.text for text in of("text")}
-        # Points of the four orbits, arrows and two nullclines in the frame, two rings twice, rules.
+        # The drawing has the points of orbits, and in the frame arrows and two nullclines.
         paths = [path.get("d") for path in of("path")]
         assert sum(path.count("h0") > 1000 for path in paths) >= 2 and not any("NaN" in path for path in paths)
         assert sum(path.get("clip-path") is not None for path in of("path")) >= 3
@@ -298,10 +297,10 @@ def three_variables_turn_in_a_box(browser, _):
         tab.page.click("#more summary")
         tab.page.select_option("#inwards", "z")
         tab.waits("location.hash.includes('axes=x%2Cy%2Cz')")
-        # Edges of the box, and the names of its axes; points of the orbit inside it.
+        # The drawing has the names of the three axes, and the points of the orbit.
         drawing = tab.page.evaluate(VECTOR)
         assert all(f">{name}</text>" in drawing for name in "xyz") and drawing.count("h0") > 500
-        # From the front one sees y across and z upwards.
+        # At the angles [0, 0], the picture shows y across and z upwards.
         assert tab.page.evaluate("seenFrom([0, 0], [[0, 2], [0, 2], [0, 4]])([1, 2, 2]).map(value => Math.round(1000 * value))") == [577, 0]
         tab.page.locator("#portrait").scroll_into_view_if_needed()
         box = tab.page.locator("#portrait").bounding_box()
@@ -338,7 +337,7 @@ def a_link_holds_what_was_found(browser, _):
         assert tab.text("#arrived") == lines
         assert tab.page.eval_on_selector_all("#search-shown .preserved", "all => all.length") == len(lines.splitlines())
         assert "found=" not in tab.page.url
-    # What does not hold is not shown, and a search takes its place.
+    # The page ignores a false claim in the link, and runs a search instead.
     with Tab(browser, address(**start, found="integral H1 = x;")) as tab:
         tab.waits("document.querySelector('#search-stage').textContent.includes('Found in')")
         assert tab.text("#arrived") == lines

@@ -1,4 +1,4 @@
-"""A tab of Chromium, offline, with the page in it, and what all checks ask of it."""
+"""Opens the page in an offline tab of Chromium, and has the functions that all checks share."""
 
 import pathlib
 import subprocess
@@ -23,7 +23,7 @@ def command(kahan, *arguments):
 
 
 class Tab:
-    """A fresh tab; what its console complains of fails the check."""
+    """A new tab of Chromium; an error in the tab's console fails the check."""
 
     def __init__(self, browser, url, **look):
         self.context = browser.new_context(offline=True, **look)
@@ -63,7 +63,7 @@ FOUND = "document.querySelector('#search-stage').textContent.includes('Found in'
 
 
 def found(tab):
-    """The findings, when the search is over, and the seconds since the page began to load."""
+    """Runs a search; returns the lines found, and the seconds since the page began to load."""
     tab.opened()
     tab.page.click("#search")
     seconds = tab.waits(FOUND)

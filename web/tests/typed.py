@@ -1,5 +1,5 @@
-"""Fields that a reader may type, of two to six variables: as people write them, of the catalog, and
-at random. Of nearly all of them the page must show a picture."""
+"""Types thirty fields with two to six variables: classical fields, fields of the catalog, and
+random fields. The page must show a good picture of at least 28 fields."""
 
 import random
 
@@ -33,7 +33,7 @@ SEED = 64
 
 
 def at_random(count):
-    """Fields with three to five terms an equation, of degree one and two, and small coefficients."""
+    """Returns random fields with two to five terms an equation, of degrees 1 and 2."""
     chance = random.Random(SEED)
     fields = []
     for k in range(count):
@@ -48,7 +48,7 @@ def at_random(count):
 
 
 FIELDS = CLASSICAL + CATALOG + at_random(10)
-# The boxes of orbits in the frame, as shares of its area; an orbit outside of it has none.
+# JavaScript that returns, for each orbit, the share of the frame that its bounding box covers.
 SHARES = """(() => {
     const places = placesOf()
     return lastDrawn.filter(({method}) => method === 'kahan').map(({columns}) => places.map((k, axis) => {
@@ -61,15 +61,15 @@ SHARES = """(() => {
 
 
 def pictures(browser, fields=FIELDS):
-    """The fields whose picture has fewer than three orbits that fill a fifth of the frame, with the
-    shares of their orbits."""
+    """Returns the fields with fewer than three orbits that fill a fifth of the frame, each with the
+    shares of its orbits and the legend."""
     poor = []
     with Tab(browser, PAGE) as tab:
         tab.opened()
         for field in fields:
             tab.page.evaluate("document.querySelector('#ended').textContent = ''")
             tab.page.fill("#field", field)
-            # Orbits of the field before are gone at once, though their legend may come late.
+            # The page deletes the orbits of the last field at once, but their legend may come late.
             tab.waits("document.querySelector('#ended').textContent !== '' && sheetOf !== null && (lastDrawn.length > 0 || document.querySelector('#panes').hidden)")
             shares = tab.page.evaluate(SHARES) if tab.page.is_visible("#panes") else []
             if sum(share >= 0.2 for share in shares) < 3:
