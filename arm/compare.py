@@ -1,7 +1,7 @@
-"""Compares what the command prints on two processors, byte by byte: `compare.py OWN OTHER…`.
+"""Compares the output of the command on two processors, byte by byte: `compare.py OWN OTHER…`.
 
-OWN is the command for this machine, OTHER… the one for the other processor, with the emulator before
-it. The commands are those below, and an orbit each of 200 quadratic fields drawn from a seed.
+OWN is the command for this machine. OTHER… is the emulator and the command for the other processor.
+Runs the commands in COMMANDS, and computes an orbit of each of 200 random quadratic fields.
 """
 
 import random
@@ -63,7 +63,7 @@ FIELDS = 200
 
 
 def field(draw):
-    """Returns the arguments of an orbit of a quadratic field with small coefficients."""
+    """Returns the arguments for an orbit of a random quadratic field with small coefficients."""
     names = "xyzuvw"[: draw.randint(1, 6)]
     lines = []
     for name in names:
@@ -79,7 +79,7 @@ def field(draw):
 
 
 def said(command):
-    """Returns the exit status of a command, and what it prints but for the time that it took."""
+    """Returns the exit status and the output of a command, without the time that it measured."""
     run = subprocess.run(command, capture_output=True, check=False, timeout=1200)
     return run.returncode, re.sub(rb"(?m)^seconds +[0-9.]+$", b"seconds", run.stdout), run.stderr
 

@@ -1,7 +1,7 @@
-"""Compares what `arm/steps` measured: `steps.py FOLDER RUSTC…`.
+"""Compares the measurements of `arm/steps`: `steps.py FOLDER RUSTC…`.
 
-FOLDER has what the tests printed. Lines of `code` are `// NAME BYTES`, the bytes of a round of the
-code, each followed by the same operations as a function in Rust, which RUSTC… compiles.
+Reads the output of the tests from FOLDER. In `code`, each line `// NAME BYTES` has the size of a
+step's machine code. The same operations follow as a Rust function, which RUSTC… compiles.
 """
 
 import re
@@ -9,12 +9,12 @@ import subprocess
 import sys
 from pathlib import Path
 
-# The most that is wanted: instructions over those of rustc, time over that of the interpreter.
+# The largest ratios of the instructions to those of rustc, and of the time to the interpreter's.
 INSTRUCTIONS, TIME = 1.05, 0.25
 
 
 def loop(assembly, name):
-    """Returns the number of instructions of the longest loop of a function."""
+    """Returns the number of instructions in the longest loop of a function."""
     labels, count, longest = {}, 0, 0
     body = assembly.split(f"\n{name}:", 1)[1].split(".Lfunc_end", 1)[0]
     for line in map(str.strip, body.splitlines()):
@@ -29,7 +29,7 @@ def loop(assembly, name):
 
 
 def seconds(text):
-    """Returns the time of the one test that ran."""
+    """Returns the time of the single test that ran, in seconds."""
     (passed, time), = re.findall(r"(\d+) passed;.* finished in ([0-9.]+)s", text)
     assert passed == "1", text
     return float(time)

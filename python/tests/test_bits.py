@@ -1,4 +1,4 @@
-"""Numbers are those of the Rust library, bit for bit: the command prints floats that read back exactly."""
+"""Compares Python's numbers with the command's, bit for bit; the command prints floats exactly."""
 
 import csv
 import io
@@ -38,7 +38,7 @@ def test_steps_are_those_of_the_orbit():
     for row in orbit.x[1:]:
         x = s.step(x, 0.05)
         assert np.array_equal(x, row)
-    # Many points are stepped at once, also into a given array.
+    # `step` takes many points at once, and can write into a given array.
     out = np.empty((100, 3))
     assert s.step(orbit.x[:-1], 0.05, out=out) is out and np.array_equal(out, orbit.x[1:])
 

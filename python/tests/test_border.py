@@ -1,4 +1,4 @@
-"""Whatever comes, the border answers or raises an exception that Python's users expect."""
+"""Checks that calls with any arguments answer, or raise an exception that Python's users expect."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ anything = st.one_of(
 
 
 def quietly(call):
-    """The result, or nothing where the call raised what is expected of it."""
+    """Returns the result of the call, or None if the call raises an exception in EXPECTED."""
     try:
         with np.errstate(all="ignore"):
             return call()

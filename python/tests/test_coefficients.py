@@ -1,4 +1,4 @@
-"""Fields from arrays, and the arrays of fields."""
+"""Tests fields that are made from arrays, and the arrays that fields return."""
 
 import os
 import pickle
@@ -14,13 +14,13 @@ from kahan._coefficients import loaded
 
 
 def quadratic(n, rng, size=0.1):
-    """Dense arrays c, B and a symmetric Q."""
+    """Returns random dense arrays c, B and a symmetric Q."""
     Q = rng.normal(size=(n, n, n)) * size
     return rng.normal(size=n) * size, rng.normal(size=(n, n)) * size, Q + Q.transpose(0, 2, 1)
 
 
 def triangle(Q, order):
-    """The coefficients of a field with each product once."""
+    """Returns the coefficients of Q with each product of two variables once."""
     n = len(Q)
     whole = Q + Q.transpose(0, 2, 1) - Q * np.eye(n)
     j, k = np.tril_indices(n) if order == "tril" else np.triu_indices(n)
@@ -35,11 +35,11 @@ def test_all_forms_of_arrays_are_one_field(n):
     assert s.variables == tuple(f"x{i + 1}" for i in range(n))
     expected = c + B @ x + Q @ x @ x
     np.testing.assert_allclose(s.rhs()(0.0, x), expected, rtol=1e-14 * n**2, atol=1e-15 * n**2)
-    # Kahan's map is computed from the arrays alone.
+    # Computes Kahan's map with NumPy, from the arrays alone.
     eps = 0.01
     step = x + 2 * eps * np.linalg.solve(np.eye(n) - eps * (B + 2 * Q @ x), expected)
     np.testing.assert_allclose(s.step(x, eps), step, rtol=1e-13, atol=1e-15)
-    # Summed halves may differ from the coefficient in the last bit.
+    # The sum of two halves may differ from the coefficient in the last bit.
     for other, order in ((Q.reshape(n, n * n), "tril"), (triangle(Q, "tril"), "tril"), (triangle(Q, "triu"), "triu")):
         again = kahan.System.from_arrays(c, B, other, order=order)
         np.testing.assert_allclose(again.step(x, eps), step, rtol=1e-13, atol=1e-15)
@@ -62,7 +62,7 @@ def test_arrays_say_what_the_text_says():
     text = kahan.System("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x) + 3/8;")
     s = kahan.System.from_arrays(*text.arrays(), names=["x", "y", "z"])
     x = [0.3, 0.5, -0.2]
-    # The text has factors where the arrays have sums, so the last digits differ.
+    # The text has factored terms and the arrays have expanded terms, so the last digits differ.
     np.testing.assert_allclose(s.orbit(x, 0.01, 200).x, text.orbit(x, 0.01, 200).x, rtol=1e-13)
     assert kahan.System(s.text).arrays()[2].tolist() == s.arrays()[2].tolist()
     euler = kahan.System.from_arrays(Q=kahan.catalog.euler(a1=1, a2=-3, a3=1).arrays()[2])
@@ -139,7 +139,7 @@ def test_ten_thousand_sparse_variables():
 
 
 def shown(path):
-    """The field of a file, as the command shows it."""
+    """Returns the equations that the command shows for a file."""
     command = [os.environ["KAHAN"]] if "KAHAN" in os.environ else [sys.executable, "-m", "kahan_command"]
     done = subprocess.run([*command, "show", "--file", path, "--macro"], check=True, capture_output=True, encoding="utf-8")
     return "\n".join(line.strip() for line in done.stdout.splitlines() if "dot = " in line)

@@ -1,4 +1,4 @@
-"""Coefficients that depend on eps: steps have those at their eps, the field is the one at eps = 0."""
+"""Tests coefficients that depend on eps: steps use their own eps, and the field uses eps = 0."""
 
 from fractions import Fraction
 
@@ -8,14 +8,14 @@ import pytest
 import kahan
 
 TEXT = "struct P { a, b } xdot = y*(1 - a*eps^2) + b*eps^4*x^2; ydot = (a - eps^2)*(x - b*y)*x/(1 + b^2*eps^2) - eps^2/2;"
-# The field with a parameter k in place of eps^2.
+# The field of TEXT with a parameter k in place of eps^2.
 STRAIGHT = "struct P { a, b, k } xdot = y*(1 - a*k) + b*k^2*x^2; ydot = (a - k)*(x - b*y)*x/(1 + b^2*k) - k/2;"
 VALUES = {"a": "3/2", "b": "-2/3"}
 EPS = Fraction(1, 8)
 
 
 def systems() -> tuple[kahan.System, kahan.System, kahan.System]:
-    """The field, and the one with eps^2 as a parameter at this value, and at 0."""
+    """Returns the field of TEXT, and the field of STRAIGHT with k = eps^2 and with k = 0."""
     straight = kahan.System(STRAIGHT)
     return kahan.System(TEXT)(**VALUES), straight(**VALUES, k=EPS**2), straight(**VALUES, k=0)
 
@@ -42,7 +42,6 @@ def test_steps_and_ensembles_are_those_of_the_coefficients_at_eps() -> None:
     rhs = own.rhs()
     assert np.allclose(rhs(0.0, x), at_zero.rhs()(0.0, x), **near)
     assert np.allclose(rhs.jacobian(0.0, x), at_zero.rhs().jacobian(0.0, x), **near)
-    # Each start has an eps of its own.
     ends = own.ensemble([x, x], eps=[eps, eps / 2], steps=20)
     assert np.allclose(ends.x[0], own.orbit(x, eps=eps, steps=20).x[-1], **near)
     assert np.allclose(ends.x[1], own.orbit(x, eps=eps / 2, steps=20).x[-1], **near)

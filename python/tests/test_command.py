@@ -1,4 +1,4 @@
-"""The command that the wheel brings along."""
+"""Tests the command `kahan` that the wheel contains."""
 
 import subprocess
 import sys

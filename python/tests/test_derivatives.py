@@ -1,4 +1,4 @@
-"""Derivatives of orbits by parameters, first values and eps."""
+"""Tests derivatives of orbits with respect to parameters, first values and eps."""
 
 from fractions import Fraction
 
@@ -21,7 +21,7 @@ FIELDS = {
 
 
 def shifted(text, values, x, eps, name, by):
-    """The field, point and eps of which one has moved."""
+    """Returns the field, the point and eps, after adding `by` to the quantity called `name`."""
     values = {known: Fraction(value) + (by if known == name else 0) for known, value in values.items()}
     s = kahan.System(text, **values)
     x = [Fraction(value) + (by if known == name else 0) for known, value in zip(s.variables, x)]
@@ -31,8 +31,8 @@ def shifted(text, values, x, eps, name, by):
 @pytest.mark.parametrize("order", [2, 4, 6, 8])
 @pytest.mark.parametrize("name", FIELDS)
 def test_derivatives_are_those_of_differences_in_32_digits(name, order):
-    """Differences over h = 2^-40 err by the third derivative times h²/6, which is 1e-25, and by 2^-100/h = 1e-18.
-    The rest is rounding: 200 steps of up to 17 stages, some u each, add up to 1e-14 at random; 1.3e-14 was the most."""
+    """Compares with differences over h = 2^-40, which err by h²/6 f''', or 1e-25, and by 1e-18. The
+    rounding of 200 steps of up to 17 stages adds up to 1e-14; the largest error was 1.3e-14."""
     text, values, x = FIELDS[name]
     s, eps, steps = kahan.System(text, **values), Fraction(1, 128), 200
     names = [*s.parameters, *s.variables, "eps"]
@@ -50,8 +50,8 @@ def test_derivatives_are_those_of_differences_in_32_digits(name, order):
 
 
 def test_derivatives_are_those_of_differences_in_50_digits():
-    """Against mpmath. Differences over 1e-20 in 60 digits err by 1e-40; the bound is the rounding of 100 steps, some u
-    each."""
+    """Compares with mpmath: differences over 1e-20 in 60 digits have an error of 1e-40. The bound
+    allows for the rounding of 100 steps."""
     mpmath = pytest.importorskip("mpmath")
     text, values, x = FIELDS["lorenz"]
     eps, steps = 0.01, 100
@@ -64,7 +64,7 @@ def test_derivatives_are_those_of_differences_in_50_digits():
 
             point, rows = mpmath.matrix([x, y, z]), []
             for _ in range(steps):
-                # For quadratic f, central differences are exact.
+                # Central differences of a quadratic f are exact.
                 units = [mpmath.matrix([int(i == j) for i in range(3)]) for j in range(3)]
                 slopes = [(f(point + unit) - f(point - unit)) / 2 for unit in units]
                 A = mpmath.matrix(3, 3)
@@ -100,7 +100,7 @@ def test_points_keep_their_bits(name, settings):
 
 
 def test_modes_have_the_same_derivatives():
-    """They differ by rounding alone: 500 steps of some u, which is 1.1e-16, or 6e-8 in single precision."""
+    """The modes differ by the rounding of 500 steps: a few times 1.1e-16 each, or 6e-8 in f32."""
     text, values, x = FIELDS["lorenz"]
     s = kahan.System(text, **values)
     names = ["r", "y", "eps"]
@@ -113,7 +113,7 @@ def test_modes_have_the_same_derivatives():
 
 
 def test_a_pole_ends_an_orbit_and_its_derivatives():
-    """The map of x' = a x² is x/(1 - 2 eps a x), with the orbit x_k = x/(1 - 2 k eps a x)."""
+    """Compares with the exact orbit of Kahan's map of x' = a x², x_k = x/(1 - 2 k eps a x)."""
     s = kahan.System("xdot = a*x^2;", a=3)
     x, eps = 0.5, 1 / 64
     o = s.orbit([x], eps, 100, derivatives=["x", "a", "eps"])
@@ -121,7 +121,7 @@ def test_a_pole_ends_an_orbit_and_its_derivatives():
     assert (o.ended, o.steps, len(o.x)) == (alone.ended, alone.steps, len(alone.x))
     k = np.arange(22)[:, None]
     root = 1 - 2 * k * eps * 3 * x
-    # The factor 1 - 2 k eps a x falls to 1/16, which enlarges rounding errors by 256, to 6e-13.
+    # The factor 1 - 2 k eps a x falls to 1/16, and so enlarges rounding errors by 256, to 6e-13.
     for name, expected in (("x", root**-2), ("a", 2 * k * eps * x**2 * root**-2), ("eps", 6 * k * x**2 * root**-2)):
         assert o.derivatives[name].shape == o.x.shape
         np.testing.assert_allclose(o.derivatives[name][:21], expected[:21], rtol=1e-12)
@@ -156,8 +156,8 @@ def test_other_names_and_orbits_are_refused():
 
 @pytest.mark.parametrize("order", [2, 4])
 def test_an_ensemble_has_the_derivatives_of_its_orbits(order):
-    """Points may differ from those of orbits in their last bits: 200 steps of up to 5 stages round by 1e-13, which
-    derivatives enlarge; in single precision by 1e-4."""
+    """An ensemble may differ from its orbits by rounding, which derivatives enlarge. Rounding of
+    200 steps of up to 5 stages is 1e-13, or 1e-4 in single precision."""
     random = np.random.default_rng(1)
     count = 37
     points, rates = random.uniform(0.5, 2, (count, 2)), random.uniform(0.5, 1.5, count)
@@ -190,7 +190,7 @@ def test_ended_trajectories_have_no_derivatives():
 
 
 def test_a_field_at_other_values_is_the_one_read_anew():
-    """Code shared among values of parameters changes no bit."""
+    """Checks that fields with shared machine code have the same bits as fields read again."""
     text, values, x = FIELDS["divided"]
     s = kahan.System(text, **values)
     s.orbit(x, 0.01, 200, derivatives=["a", "b"])
@@ -207,7 +207,7 @@ def test_a_field_at_other_values_is_the_one_read_anew():
 
 @pytest.mark.parametrize("n", [3, 12])
 def test_fields_of_arrays_have_derivatives(n):
-    """Differences over 1e-6 err by 1e-12 · third derivatives and by the rounding of 50 steps over 1e-6, some 5e-9."""
+    """Compares with differences over 1e-6, which err by 5e-9 because of rounding in 50 steps."""
     random = np.random.default_rng(n)
     s = kahan.System.from_arrays(B=random.normal(size=(n, n)) - 2 * np.eye(n), Q=random.normal(size=(n, n, n)) / n,
                                  parameters={"q": {"B": -np.eye(n)}}, q=1)

@@ -1,4 +1,4 @@
-"""The same start ends in the same way, after as many steps, wherever its orbit is followed."""
+"""Checks that an orbit ends in the same way and at the same step in every call."""
 
 import warnings
 
@@ -7,7 +7,7 @@ import pytest
 
 import kahan
 
-# A field, a start, eps, steps, the kind of end, and the number of steps before the end.
+# Each case: a field, a start, eps, steps, the kind of end, and the number of steps before the end.
 ENDS = [
     ("xdot = x^2;", [1.0], 0.05, 11, "range", 9),
     ("xdot = x^2;", [1.0], 0.05, 9, "complete", 9),
@@ -26,7 +26,6 @@ def test_an_orbit_ends_in_the_same_way_wherever_it_is_followed(text, start, eps,
     observed = s.observe(start, eps, steps)
     for one in (orbit, section, observed, s.orbit(start, eps, steps, every=7)):
         assert (one.ended, one.ended_step) == (ended, step)
-    # One of the other points is not a number.
     points = np.array([start, np.full(len(start), np.nan), start])
     chart = s.chart({"x": [start[0], start[0]]}, start, eps, steps=steps, color="sali", escape=None)
     for many in (s.ensemble(points, eps, steps), s.ensemble(points, eps, steps, observe=["sali", "fli", "extrema"])):
@@ -43,7 +42,7 @@ def test_an_orbit_ends_in_the_same_way_wherever_it_is_followed(text, start, eps,
 def test_an_orbit_escapes_where_a_bound_is_asked_for():
     s = kahan.System("xdot = x;")
     many = s.ensemble([[1.0], [-1.0]], 0.5, 100, observe=["extrema", "escape"], escape=1e6)
-    # 3^13 is the first power beyond a million.
+    # Each step multiplies x by 3, and 3^13 is the first power of 3 beyond a million.
     assert many.ended.tolist() == ["escaped"] * 2 and (many.ended_step == 13).all() and (many.escaped == 13).all()
     assert np.isnan(many.x).all() and np.isnan(many.greatest_x).all()
     assert s.ensemble([[1.0]], 0.5, 100, observe=["escape"]).ended.tolist() == ["complete"]
@@ -53,7 +52,7 @@ def test_an_orbit_escapes_where_a_bound_is_asked_for():
 
 def test_steps_over_poles_are_counted_where_they_are_asked_for():
     s = kahan.System("xdot = x^2;")
-    # In each step 1/x falls by 0.14, from 1 and from 0.21 through 0.
+    # Each step lowers 1/x by 0.14; the first and the third orbit pass 1/x = 0, which is a pole.
     many = s.ensemble([[1.0], [-1.0], [1 / 0.21]], 0.07, 8, observe=["passed_poles"])
     assert many.passed_poles.tolist() == [1, 0, 1] and many.passed_poles_lower_bound.tolist() == [0, 0, 0]
     one = s.observe([1], 0.07, 8, observe="passed_poles")

@@ -1,4 +1,4 @@
-"""Ctrl-C ends long work."""
+"""Checks that Ctrl-C ends every kind of long work."""
 
 import signal
 import subprocess
@@ -9,15 +9,15 @@ import pytest
 RING = "for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }"
 HARD = "xdot = y*z + x*w; ydot = x*z - w^2; zdot = x*y + w*y; wdot = x^2 - y*z + z^2;"
 
-# Calls that take minutes or more, one for each kind of long work.
+# Each call takes minutes or more; the list has every kind of long work.
 LONG = [
     "s.orbit([1, 2, 3], 0.01, 10**12, every=10**12)",
     "s.orbit([1, 2, 3], 0.01, 10**12, every=10**12, compensated=True)",
     *(f"s.orbit([1, 2, 3], 0.01, 10**12, every=10**11, {how})" for how in ["scalar='dd'", "method='flow'", "projective=True"]),
-    # Gradients of orbits with rows far apart, and of long orbits.
+    # The next calls compute gradients of an orbit with distant rows, and of a long orbit.
     "o = s.orbit([1, 2, 3], 0.01, 10, every=10); o.every = 10**11; o.gradient(o.x)",
     "o = s.orbit([1, 2, 3], 0.01, 2*10**8, every=10**8); o.gradient(o.x)",
-    # Steps with long numbers take seconds each.
+    # Each step with long exact numbers takes seconds.
     "lorenz.orbit([1, 2, 3], '1/70', 30, scalar='exact')",
     "lorenz.heights([1, 2, 3], '1/70', 30, digits=10**9, seconds=1000)",
     "while True: s.step(many, 0.01)",
@@ -43,7 +43,7 @@ LONG = [
     "while True: relation.solve(np.random.default_rng(1).random((300_000, 4, 2)))",
     f"kahan.Lattice('{RING}', 1000, 0.01).advance(np.ones(1000), 10**9)",
     f"kahan.Lattice('{RING}', 1000, 0.01).orbit(np.ones(1000), 10**9, every=10**6)",
-    # The field has a claim, which is proved.
+    # Each call of `System` proves the claim in its text.
     f"while True: kahan.System('{RING} integral S = sum(x[i]);', sites=3)",
 ]
 
@@ -63,7 +63,7 @@ def test_long_work_ends(work):
     code = f"{BEGIN}\n{work}\nprint('ended')"
     process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "begun\n", process.stderr.read()
-    # The test does not wait for the work to end by itself.
+    # The work must still run after one second.
     with pytest.raises(subprocess.TimeoutExpired):
         process.wait(timeout=1)
     process.send_signal(signal.SIGINT)

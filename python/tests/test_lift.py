@@ -1,4 +1,4 @@
-"""Fields that are lifted to quadratic ones: arrays are in the original variables."""
+"""Tests fields that are lifted to quadratic fields; arrays are in the original variables."""
 
 import pickle
 import warnings
@@ -101,7 +101,7 @@ def test_exponents_are_those_of_the_variables_of_arrays():
     eps, driven = 0.02, kahan.System("x' = y, y' = x - x^3 - y/4 + 3/10*cos(t)", lift=True)
     e = driven.ensemble([[1, 0], [0.5, 0]], eps, 5000, observe=("spectrum", "lyapunov", "log_det"))
     assert e["spectrum"].shape == (2, 2) and len(driven.observe([1, 0], eps, 5000).spectrum) == 2
-    # The sum of the exponents is the divergence of the original field, up to the order of the map.
+    # The sum of the exponents is the divergence of the original field, with an error of order eps².
     np.testing.assert_allclose(e["spectrum"].sum(axis=1), -0.25, atol=5 * eps**2)
     np.testing.assert_allclose(e["mean_log_det"], -0.25, atol=5 * eps**2)
 

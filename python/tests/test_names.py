@@ -1,4 +1,4 @@
-"""Tables of starts and parameters: names of columns decide, in every call, or the call is refused."""
+"""Tests tables of starts and parameters: every call goes by the names of columns, or is refused."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def batch(columns: dict[str, Any]) -> Any:
 
 
 class Stream:
-    """A table with Arrow's capsule alone."""
+    """A table whose only method is Arrow's `__arrow_c_stream__`."""
 
     def __init__(self, of: Any) -> None:
         self.of = of
@@ -225,14 +225,14 @@ def test_labels_of_pandas() -> None:
     for wrong in (pandas.Series([0.1, 0.2, 1.0], index=[2, 1, 0]), pandas.Series([0.1, 0.2, 1.0], index=["x", "x", "z"])):
         with pytest.raises(ValueError, match="the table has"):
             FIXED.step(wrong, 0.1)
-    # Rows are taken in order, so labels in another order are refused.
+    # A call takes rows in their order, and refuses labels in another order.
     lettered, turned = table.set_axis(list("abcd")), pandas.DataFrame({"k": K, "m": M}, index=list("badc"))
     for params in (turned, {"k": turned["k"], "m": 1}):
         with pytest.raises(ValueError, match="their labels in these columns are not the same"):
             S.ensemble(lettered, 0.01, 5, params=params)
     with pytest.raises(ValueError, match="their labels"):
         FIXED.ensemble(lettered, turned["k"], 5)
-    # A numbered index consists of labels, too.
+    # The numbers of an index are labels, too.
     numbered = turned.reset_index(drop=True)
     for points, params in ((lettered, numbered), (table.sample(frac=1, random_state=1), numbered), (table, turned), (table, numbered[1:])):
         with pytest.raises(ValueError, match="their labels in these columns are not the same"):
@@ -280,7 +280,7 @@ def test_one_number_stands_for_all_rows() -> None:
     found = S.ensemble({"z": 1, "k": K, "x": X, "m": "1/3", "y": 0.5, "eps": "1/100"}, None, 5)
     wanted = S.ensemble(np.stack([X, np.full(4, 0.5), np.ones(4)], axis=1), 0.01, 5, params={"k": K, "m": 1 / 3})
     assert np.array_equal(found.x, wanted.x)
-    # One start is combined with several values of a parameter.
+    # The call combines one start with several values of a parameter.
     assert np.array_equal(S.ensemble({"z": 1, "k": K, "x": 0.1, "m": 1, "y": 0.5}, 0.01, 5).x,
                           S.ensemble([[0.1, 0.5, 1]] * 4, 0.01, 5, params={"k": K, "m": 1}).x)
 

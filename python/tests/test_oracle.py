@@ -1,4 +1,4 @@
-"""The catalog against exact vectors that nobody computed with this project's code."""
+"""Compares the catalog with exact values that were computed without this project's code."""
 
 import json
 import sys
@@ -11,7 +11,7 @@ import pytest
 import kahan
 
 if hasattr(sys, "set_int_max_str_digits"):
-    # Iterates of E9 have thousands of digits.
+    # Allows conversion of the iterates of E9, which have thousands of digits.
     sys.set_int_max_str_digits(0)
 DATA = Path(__file__).resolve().parents[2] / "tests" / "data"
 NAMES = ["euler", "lv", *(f"e{i}" for i in range(1, 10))]

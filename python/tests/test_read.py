@@ -1,4 +1,4 @@
-"""Models in files: against libroadrunner's solutions, saved and read again, and what is refused with its place."""
+"""Tests models in files: their solutions against libroadrunner's, saved texts, and refusals."""
 
 import builtins
 import json
@@ -12,7 +12,7 @@ import kahan
 
 MODELS = Path(__file__).parent / "models"
 SOLUTIONS = json.loads((MODELS / "solutions.json").read_text())
-"""Written by `benchmarks/models.py --record`, from libroadrunner."""
+"""The solutions of libroadrunner, which `benchmarks/models.py --record` writes."""
 NEEDED = {".ant": ("libsbml", "antimony"), ".xml": ("libsbml",)}
 
 
@@ -23,7 +23,7 @@ def needs(ending: str) -> None:
 
 @pytest.fixture
 def antimony(tmp_path):
-    """Reads a model in Antimony."""
+    """Returns a function that reads a model in the language Antimony."""
     needs(".ant")
 
     def read(text, **parameters):
@@ -46,7 +46,7 @@ def test_a_model_has_the_solution_of_libroadrunner(name, tmp_path):
     assert s.variables == tuple(wanted["names"])
     np.testing.assert_allclose([float(value) for value in s.start], points[0], rtol=1e-15)
     assert np.abs((solved(s, wanted["time"], 1280) - points) / scale).max() < 1e-8
-    # The text of a field is a model, too.
+    # The saved text of a field reads as the same model.
     (tmp_path / "saved.kahan").write_text(s.source)
     saved = kahan.read(tmp_path / "saved.kahan")
     assert (saved.text, saved.start, saved.parameters) == (s.text, s.start, s.parameters)

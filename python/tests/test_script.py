@@ -1,6 +1,6 @@
-"""The script of `kahan show --sympy`, which Python runs as it stands.
+"""Runs the Python script that `kahan show --sympy` prints.
 
-The command is the wheel's, or the one that `KAHAN` in the environment names."""
+The command is that of the wheel, or that in the environment variable `KAHAN`."""
 
 import json
 import os
@@ -19,7 +19,7 @@ def printed(*arguments):
 
 
 def assigned(*arguments):
-    """What the script assigns."""
+    """Returns the variables that the script assigns."""
     names = {}
     exec(printed("show", *arguments, "--sympy"), names)
     return names

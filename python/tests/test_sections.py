@@ -1,4 +1,4 @@
-"""Sections of many orbits, and diagrams."""
+"""Tests sections of many orbits, and diagrams."""
 
 import numpy as np
 import pytest

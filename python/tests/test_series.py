@@ -1,4 +1,4 @@
-"""The points of many orbits on their way: bits, ends, columns, files."""
+"""Tests the points along many orbits: bits, ends, columns and files."""
 
 import itertools
 
@@ -161,7 +161,7 @@ def test_a_file_is_written_part_by_part(tmp_path, monkeypatch, ending):
 
 
 def test_the_first_exponents_of_many_variables():
-    """Diagonal fields have their rates as exponents, in the scale of the map: log((1 + eps a)/(1 - eps a))/(2 eps)."""
+    """For each rate a of a diagonal field, the exponent is log((1 + eps a)/(1 - eps a))/(2 eps)."""
     n = 300
     rates = np.concatenate([[-0.1, -0.5, -1], np.linspace(-2, -3, n - 3)])
     s = kahan.System.from_arrays(B=np.diag(rates))

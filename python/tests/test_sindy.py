@@ -1,4 +1,4 @@
-"""Fields from models of pysindy, and from what only looks like one."""
+"""Tests fields from models of pysindy, and from objects with the same methods."""
 
 from fractions import Fraction
 
@@ -11,7 +11,7 @@ CUBIC = ["1", "x0", "x1", "x0^2", "x0 x1", "x1^2", "x0^3", "x0^2 x1", "x0 x1^2",
 
 
 class Model:
-    """A fitted model as pysindy has it."""
+    """An object with the methods of a fitted model of pysindy."""
 
     def __init__(self, coefficients, terms=CUBIC, feature_names=("x0", "x1")):
         self._coefficients, self._terms, self.feature_names = np.array(coefficients), list(terms), list(feature_names)
@@ -24,7 +24,7 @@ class Model:
 
 
 def coefficients(terms=CUBIC, **values):
-    """Two rows of coefficients; `values` has of each row a dict."""
+    """Returns two rows of coefficients; `values` has a dict from terms to numbers for each row."""
     rows = np.zeros((2, len(terms)))
     for row, one in zip(rows, (values["first"], values["second"])):
         for term, value in one.items():
@@ -65,7 +65,7 @@ def test_what_is_no_field_is_an_error():
     controlled = Model([[0.0, 1.0], [1.0, 0.0]], ["x0", "x1 u0"], ["x0", "x1", "u0"])
     with pytest.raises(ValueError, match="control input u0"):
         kahan.from_sindy(controlled)
-    # An unused input is ignored.
+    # `from_sindy` ignores an unused control input.
     controlled = Model([[0.0, 0.0], [1.0, 0.0]], ["x0", "x1 u0"], ["x0", "x1", "u0"])
     assert kahan.from_sindy(controlled).text == "x0dot = 0;\nx1dot = x0;"
     with pytest.raises(ValueError, match=r"shape \(2, 2\); with 10 terms"):

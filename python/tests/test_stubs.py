@@ -1,4 +1,4 @@
-"""Types: the package is strict, and the stub of the compiled module is what that module has."""
+"""Checks the types of the package strictly, and the stub against the compiled module."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Fields from equations of SymPy, in the forms in which people have them."""
+"""Tests fields from equations of SymPy, in the forms that users write."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def right(x, y):
     [sympy.Eq(X.diff(t), right(X, Y)[0]), sympy.Eq(Y.diff(t), right(X, Y)[1])],
     (sympy.Eq(X.diff(t), right(X, Y)[0]), sympy.Eq(Y.diff(t), right(X, Y)[1])),
     [sympy.Eq(sympy.Matrix([X, Y]).diff(t), sympy.Matrix(right(X, Y)))],
-    # These equations must be solved for the derivatives.
+    # `System` must solve these equations for the derivatives.
     [sympy.Eq(2 * X.diff(t) + Y.diff(t), 2 * right(X, Y)[0] + right(X, Y)[1]), sympy.Eq(Y.diff(t), right(X, Y)[1])],
     ([x, y], list(right(x, y))),
     ((x, y), sympy.Matrix(right(x, y))),

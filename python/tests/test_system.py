@@ -1,4 +1,4 @@
-"""What a user does with a field: read it, see its formulas, ask."""
+"""Tests what a user does with a field: reading the field, its formulas, and questions about it."""
 
 import pickle
 from concurrent.futures import ThreadPoolExecutor
@@ -65,7 +65,7 @@ def test_formulas_are_functions_of_points():
     assert (H(*at), rho(*at), s.det_A(*at)) == (found.integrals["H1"], found.density, found.det_A)
     assert (P(*at) == found.brackets["P1"]).all() and (s.jacobian(*at) == found.jacobian).all()
     assert str(P["x", "x"]) == "0" and P["y", "x"](*at) == -P["x", "y"](*at)
-    # Each point may have its own eps, or its own parameter.
+    # Each point may have its own eps and its own values of parameters.
     free = kahan.System("xdot = y; ydot = 6*x^2 - a;")
     assert (free.map(orbit.x, np.full(101, 0.05), a=np.ones(101)) == s.map(orbit.x, 0.05)).all()
     with pytest.raises(TypeError, match="depends on a: add a=…"):
@@ -252,7 +252,7 @@ def test_a_time_step_is_twice_eps():
     s, x = kahan.catalog.e6, [0.4, -0.3, 0.2]
     assert np.array_equal(s.step(x, dt=0.1), s.step(x, 0.05))
     assert np.array_equal(s.try_step(x, dt="1/10"), s.try_step(x, "1/20"))
-    # The half of a decimal is exact: 0.3 / 2 is 3/20.
+    # `orbit` halves a decimal exactly: half of 0.3 is 3/20.
     assert s.orbit([1, 2, 3], dt=0.3, steps=2, scalar="exact").eps == Fraction(3, 20)
     assert np.array_equal(s.orbit(x, dt=0.1, steps=9).x, s.orbit(x, 0.05, 9).x)
     points, steps = np.array([x, x]), np.array([0.1, 0.2])
@@ -286,7 +286,7 @@ def test_fused_steps_are_chosen_by_name():
     assert fused != plain and fused(fused=False) == plain and fused() == fused
     with_parameter = kahan.System("xdot = a*y; ydot = -x;", fused=True)
     assert with_parameter(a=2).fused and with_parameter(a=2, fused=False) == kahan.System("xdot = a*y; ydot = -x;", a=2)
-    # A number is the value of a parameter of this name.
+    # A number for `fused` is the value of a parameter with this name.
     assert kahan.System("xdot = fused*x;", fused=2)(fused=3).parameters == {"fused": 3}
     names = [f"x{i}" for i in range(10)]
     with pytest.raises(ValueError, match="no fused steps"):

@@ -1,4 +1,4 @@
-"""Orbits in other numbers and by other methods, charts, and observed ensembles."""
+"""Tests orbits in other number types and by other methods, charts, and observed ensembles."""
 
 import pickle
 from fractions import Fraction
@@ -26,7 +26,7 @@ def test_exact_orbits_are_fractions():
 def test_double_doubles_have_what_doubles_lack():
     orbit = E6.orbit([1, 2, 3], "1/20", 50, scalar="dd")
     plain = E6.orbit([1, 2, 3], 0.05, 50)
-    # The orbit is unstable, so doubles lose digits later on.
+    # Compares the first rows alone, because doubles lose digits along this unstable orbit.
     assert np.allclose(orbit.x[:10], plain.x[:10], rtol=1e-13) and 0 < np.abs(orbit.x_low).max() < 1e-15
     assert orbit.x.shape == orbit.x_low.shape == (51, 3) and (orbit["y_low"] == orbit.x_low[:, 1]).all()
 
@@ -119,7 +119,7 @@ def test_tables_are_handed_on_by_arrow():
             wanted = [str(value) for value in values] if values.dtype == object else values.tolist()
             assert taken[column].to_pylist() == wanted, (name, column)
     assert pyarrow.table(tables["single"]).schema.field("x").type == pyarrow.float32()
-    # A capsule outlives its table, and is freed if it is never used.
+    # A capsule outlives its table, and frees its memory even if nobody reads the capsule.
     capsule = E6.orbit([1, 2, 3], 0.05, 50).__arrow_c_stream__()
     del capsule
     polars = pytest.importorskip("polars")
@@ -206,7 +206,7 @@ def test_plots():
     assert E6.orbit([1, "2/3", 3], "1/7", 3, scalar="exact").plot("t", "x").get_xlabel() == "t"
     many = E6.ensemble(np.random.default_rng(1).uniform(0.1, 0.3, (20, 3)), 0.05, 20, observe=["sali"])
     assert many.plot().collections and many.plot("start_x", "sali", color="sali").figure.axes[1].get_ylabel() == "log of sali, to base 10"
-    # Colours show logarithms of SALI, as in `kahan chart`.
+    # The colours show the logarithm of SALI, as in `kahan chart`.
     chart = E6.chart({"x": (-1, 1, 5), "y": (-1, 1, 5)}, [0, 1, 1], 0.1)
     axes = chart.plot()
     shown = axes.collections[0].get_array()
@@ -215,7 +215,7 @@ def test_plots():
     assert axes.get_title() == "e6, eps = 0.1, 1000 steps"
     curve = E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color="lyapunov").plot()
     assert curve.get_ylabel() == "largest Lyapunov exponent, per unit of time"
-    # The short names of matplotlib replace the default style.
+    # Options with matplotlib's short names replace the default style.
     (line,) = orbit.plot("x", "y", ms=5, c="red", lw=3, ls=":").lines
     assert (line.get_markersize(), line.get_color(), line.get_linewidth(), line.get_linestyle()) == (5, "red", 3, ":")
     lattice = kahan.Lattice(RING, 6, eps=0.1).orbit(np.ones((6, 2)), 8)
@@ -241,7 +241,7 @@ def test_cells_that_escape_show_no_chaos():
     assert np.array_equal(np.isfinite(exponents.values), ~escapes) and (exponents.ended[escapes] == "escaped").all()
     (shown,), (counted,) = exponents.plot().lines, steps.plot().lines
     assert np.array_equal(np.isnan(shown.get_ydata()), escapes) and np.array_equal(np.isfinite(counted.get_ydata()), escapes)
-    # An orbit beyond the range of floats has no exponent.
+    # The exponent is NaN if the orbit leaves the range of floats.
     gone = kahan.System("xdot = x^2;").chart({"eps": [0.25, 0.26]}, [1], steps=100, color="lyapunov")
     assert np.isnan(gone.values[0]) and gone.escaped[0] == 2 and np.isfinite(gone.values[1])
 
@@ -256,7 +256,7 @@ def test_others_take_the_field_and_its_integrals():
     assert np.array_equal(rate(0.0, np.stack([x, 2 * x], axis=1))[:, 0], rate(0.0, x))
     assert rate.jacobian(0.0, x).tolist() == E6.evaluate(x, 1, exact=True).field_jacobian.tolist()
     energy = E6.integral_functions()["H"]
-    # For eps = 0, the integral H of E6 is x z + y^2.
+    # The integral H of E6 at eps = 0 is x z + y^2.
     assert energy(x) == 7
     scipy = pytest.importorskip("scipy.integrate")
     end = scipy.solve_ivp(rate, (0, 1), x, rtol=1e-10, atol=1e-10, vectorized=True).y[:, -1]

@@ -1,4 +1,4 @@
-"""Fields in the manner of other tools, and the values that their texts give."""
+"""Tests fields in the syntax of other tools, and the values that their texts give."""
 
 import pickle
 from fractions import Fraction

@@ -1,6 +1,6 @@
-"""The tutorial runs, cell after cell.
+"""Runs the tutorial, one cell after the other.
 
-Its stored outputs, which pages of source code show, are renewed by
+Websites for source code show the stored outputs. This command renews the stored outputs:
 ``jupyter nbconvert --to notebook --execute --inplace tutorial.ipynb``.
 """
 
@@ -21,7 +21,7 @@ def test_every_cell_runs(monkeypatch):
     names = {}
     for number, code in enumerate(CODE):
         exec(compile(code, f"code cell {number} of tutorial.ipynb", "exec"), names)
-    # Without SciPy the comparison is left out.
+    # The cell leaves out the comparison if SciPy is missing.
     monkeypatch.setitem(sys.modules, "scipy.integrate", None)
     (compared,) = [code for code in CODE if "scipy" in code]
     exec(compared, names)

@@ -1,4 +1,4 @@
-"""What is refused is said in words that tell what to write instead."""
+"""Checks that the message of each refusal tells what to write instead."""
 
 import inspect
 import pickle
