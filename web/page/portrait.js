@@ -122,7 +122,7 @@ async function orbits(asker, methods) {
       const orbit = { names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), crossings, paint: METHODS[method][1] }
       made.push({ ...orbit, escaped: escapeOf(orbit) })
     }
-    // The first picture waits for Kahan's map alone.
+    // Shows the orbits of Kahan's map at once, if the portrait has none of these orbits yet.
     if (method === 'kahan' && !lastDrawn.some(orbit => orbit.method === method)) show([...made])
   }
   if (asker === mover) {
