@@ -1,4 +1,4 @@
-//! Compares instructions with the words that GNU binutils produces for the text above a test case.
+//! Compares instructions with the words that GNU binutils assembles from their text.
 
 mod memory;
 mod operations;
@@ -18,8 +18,8 @@ const D: OperandForm = form(Element::Double, Width::Scalar);
 const S4: OperandForm = form(Element::Single, Width::Bits128);
 const D2: OperandForm = form(Element::Double, Width::Bits128);
 
-/// An operand form, a call that writes instructions in this form, and the expected words.
-type Written<'a> = (OperandForm, &'a dyn Fn(&mut Assembler), &'a [u32]);
+/// The text of instructions, their operand form, a call that writes them, and the expected words.
+type Written<'a> = (&'a str, OperandForm, &'a dyn Fn(&mut Assembler), &'a [u32]);
 
 type Frame<'a> = ((usize, bool, u8), &'a [u32]);
 
@@ -49,11 +49,11 @@ fn words(bytes: &[u8]) -> Vec<u32> {
 }
 
 fn check(all: &[Written<'_>]) {
-    for (k, (form, write, expected)) in all.iter().enumerate() {
+    for (text, form, write, expected) in all {
         let mut assembler = Assembler::new(*form);
         write(&mut assembler);
         let found = words(&assembler.bytes);
-        assert_eq!(found, *expected, "{k} in {form:?}: {found:08x?}, not {expected:08x?}");
+        assert_eq!(found, *expected, "{text}: {found:08x?}, not {expected:08x?}");
     }
 }
 
