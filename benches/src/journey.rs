@@ -13,7 +13,6 @@ pub(crate) const STEP: f64 = 1.0 / 64.0;
 /// The absolute and relative tolerance of adaptive methods.
 pub(crate) const TOLERANCE: f64 = 1e-8;
 
-/// A method for one system and initial state.
 pub(crate) struct Journey {
     pub(crate) name: &'static str,
     go: Box<dyn Fn() -> Vec<f64>>,
