@@ -76,7 +76,7 @@ impl Interpreter {
         Evaluator { derived: &self.derived, arithmetic, point }
     }
 
-    /// Evaluates all objects at one point.
+    /// Evaluates the field, the map and all other objects of [`Evaluation`] at one point.
     ///
     /// # Errors
     /// If the field divides by zero at the given parameters.

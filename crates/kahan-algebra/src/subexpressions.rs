@@ -373,8 +373,8 @@ impl FieldWithSubexpressions {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
-    /// Replaces a subexpression by a parameter if `varies` is false for all its variables. Returns
-    /// `field` unchanged if `varies` is true for a variable of a divisor.
+    /// Replaces a subexpression by a parameter unless `varies` is true for a variable in it. Leaves
+    /// `field` unchanged if a variable in a divisor varies, or if monomials would be added.
     pub(crate) fn with_values_free_of(
         &self,
         field: &Field,

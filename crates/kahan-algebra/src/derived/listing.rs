@@ -41,7 +41,7 @@ impl StepListing {
             let reciprocal = reciprocal.map(|node| name(*node).to_owned());
             let (sign, numerator) = match plan.operations[numerator.0] {
                 Operation::Negate(inner) => {
-                    // A negation used only by `next` is omitted: `next` subtracts instead.
+                    // If only the formula of x̃ uses a negation, the formula subtracts instead.
                     hidden[numerator.0] = uses[numerator.0] == 1;
                     ('-', inner)
                 }

@@ -21,7 +21,7 @@ impl Family {
     pub fn symbols_at(&self, sites: usize) -> Symbols {
         let names = || self.arrays.iter().chain(&self.site_parameters);
         let all: Vec<&String> = names().chain(&self.parameters).collect();
-        // For arrays `x` and `x1`, the name `x11` would be ambiguous. Then `_` precedes each site.
+        // If `x11` could be site 11 of `x` or site 1 of `x1`, the names are `x_11` and `x1_1`.
         let is_number = |rest: &str| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit());
         let is_prefix =
             |name: &String, other: &String| other.strip_prefix(name.as_str()).is_some_and(is_number);

@@ -37,8 +37,8 @@ pub struct Family {
     pub site_parameters: Vec<String>,
     /// The largest offset of a neighbour in the equations, and at least 1.
     pub reach: usize,
-    /// Symbols for the values of the stencil. The states are ordered by site, then by array.
-    /// Parameters of the chain come first, then 2·reach + 1 values of each site parameter.
+    /// Symbols for a site and `reach` neighbours on each side. States are ordered by site, then by
+    /// array. After parameters of the chain come 2·reach + 1 values of each site parameter.
     pub symbols: Symbols,
     /// The field at site i by array.
     pub components: Vec<RationalFunction>,

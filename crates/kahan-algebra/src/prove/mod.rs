@@ -39,7 +39,7 @@ pub enum Verdict {
     Vacuous,
     /// The claim divides by zero at every point.
     Undefined,
-    /// The map does not exist, because det(I − ε f′) is identically 0 under the claim's conditions.
+    /// No map exists: the claim's conditions (such as ε = 1 if ẋ = x) make det(I − ε f′) zero.
     NoMap,
     /// A proof would take too many points.
     TooLarge,

@@ -1,4 +1,7 @@
-//! Computes both sides of each identity in a claim.
+//! Computes both sides of each identity in a claim, which is true if the two sides are equal.
+//!
+//! Let Â be the matrix A = I − ε f′ with each row multiplied by the denominator of its equation.
+//! Since J = ∂x̃/∂x is Â(x,ε)⁻¹ Â(x̃,−ε), the invariance J P(x) Jᵀ = P(x̃) has the sides below.
 //!
 //! | claim | left | right |
 //! |---|---|---|
@@ -7,9 +10,6 @@
 //! | density ρ | ρ(x̃) det ∂x̃/∂x | ρ(x) |
 //! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
 //! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
-//!
-//! Here A is I − ε f′, and Â is A with each row multiplied by the denominator of its equation.
-//! Since ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the invariance is J P Jᵀ = P(x̃) with J = ∂x̃/∂x.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;

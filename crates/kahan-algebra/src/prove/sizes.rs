@@ -44,9 +44,9 @@ pub(super) fn points_for(scheme: &FieldPlans, claim: &Claim) -> Option<u32> {
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
-/// Returns the number of points that prove F/G = 0 for polynomials F and G. The degree of F is
-/// `degree`. The absolute values of its coefficients sum to at most 2 to the power `bits`. Returns
-/// `None` if the numbers are too large.
+/// Returns the number of random points at which a quotient F/G of polynomials must be 0 to prove
+/// F = 0. The degree of F is `degree`, and the absolute values of its coefficients sum to at most 2
+/// to the power `bits`. Returns `None` if the numbers are too large.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
     let draws = const { MOST_DRAWS as u64 * MOST_DRAWS as u64 };

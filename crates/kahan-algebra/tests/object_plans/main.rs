@@ -260,7 +260,7 @@ fn half(n: i64) -> Rational {
     Rational::new(n, 2)
 }
 
-/// The plan of an object, and its values by definition.
+/// The plan of an object, and the object's values at two points, computed from its definition.
 struct Object<'a> {
     name: String,
     plan: Plan,

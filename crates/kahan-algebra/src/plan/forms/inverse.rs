@@ -28,7 +28,7 @@ impl FactoredMap<'_> {
     /// shorter than `recurrence`. Their constants are rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // Here ε joins a prepared constant of each term, so division by ε saves no operation.
+            // Each term has a prepared constant that contains ε, so division by ε saves nothing.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());

@@ -1,7 +1,7 @@
 //! Chooses the sign of each reciprocal, c/d or −c/d, so that few numerators are negated.
 //!
-//! Rounding is symmetric, so no bit of x̃ changes. For floats, a negation becomes part of the last
-//! subtraction; other scalars must compute it.
+//! Rounding is symmetric, so no bit of x̃ changes. In code for floats, the compiler turns
+//! x + (−n)·r into x − n·r; other scalars must compute the negation.
 
 use kahan_syntax::rational::Rational;
 

@@ -19,7 +19,7 @@ pub(in crate::plan) struct PlanDraft {
     fixed: Vec<bool>,
     /// The number of state-dependent operations up to and including each operation, without inputs.
     sizes: Vec<usize>,
-    /// The number of states. Variables from this number up to ε are parameters.
+    /// The number of states. Variables are ordered: states, then parameters, then ε.
     states: u16,
     epsilon: Variable,
     /// Whether constants may be multiplied with each other. [`Self::product`] explains the effect.
