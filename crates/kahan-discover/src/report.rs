@@ -16,7 +16,7 @@ use crate::orbits::integral_bound::IntegralBound;
 use crate::poisson::brackets::Bracket;
 use crate::poisson::hamiltonian::Hamiltonian;
 
-/// The most characters of a printed claim. A longer integral is given by a basis if one exists.
+/// The most characters of a printed claim. A [`Basis`], if one exists, replaces a longer integral.
 pub const MOST_READABLE: usize = 4000;
 
 /// The fixed values and the limits of a search.

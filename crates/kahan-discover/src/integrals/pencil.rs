@@ -46,8 +46,8 @@ pub(crate) struct PencilEntry {
 }
 
 impl PencilEntry {
-    /// Finds the quotient P/Q that equals the coefficient of `lower` in each orbit's relation, at
-    /// the start of the orbit. Returns `None` unless exactly one quotient has this property.
+    /// Finds the P/Q that equals, at each orbit's start, the coefficient of monomial `lower` in the
+    /// relation with leading monomial `leading`. Returns `None` unless there is exactly one P/Q.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,

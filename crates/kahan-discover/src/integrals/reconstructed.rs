@@ -47,7 +47,7 @@ pub struct SearchGoals<'a> {
 }
 
 /// Finds and proves independent integrals over ℚ(parameters, ε), of least degree first. The search
-/// ends when it has found as many integrals as orbits show, or at the deadline.
+/// ends at the deadline, or when it has found the number of integrals in `aims.hilbert`.
 pub fn integrals(
     searched: &SearchField,
     claims: &Claims<'_>,

@@ -72,7 +72,7 @@ impl AffineSubspace {
     }
 
     /// Returns the affine level sets of a map. Returns the whole space if orbits satisfy no linear
-    /// relation, or if coefficients that differ between orbits depend on each other.
+    /// relation, or if the coefficients that vary from orbit to orbit are not independent.
     pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
         let n = map.dimension();
         let whole = AffineSubspace::whole((0..n).collect());

@@ -17,8 +17,7 @@ pub struct Hilbert {
     pub values: Vec<usize>,
     /// The numbers of all monomials of degree ≤ 1, ≤ 2, …, which bound h.
     pub full: Vec<usize>,
-    /// The number of independent algebraic integrals that orbits show: the codimension of the
-    /// variety that all relations found define.
+    /// The number of independent algebraic integrals: the codimension of the relations' zero set.
     pub integrals: usize,
     /// The least degree of a relation, if one was observed.
     pub relation_degree: Option<u32>,

@@ -1,4 +1,5 @@
-//! Searches for formulas, Hirota–Kimura bases and compact forms of integrals.
+//! Searches for formulas and compact forms of integrals, and for Hirota–Kimura bases: sets of
+//! monomials with one linear relation along every orbit.
 
 use kahan_algebra::prime_field::SplitMix64;
 
