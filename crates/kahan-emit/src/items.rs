@@ -65,7 +65,7 @@ impl<'a> Type<'a> {
     }
 
     /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas`
-    /// returns the documentation. Its argument says whether documentation by the user comes before.
+    /// returns generated documentation. Its argument is true if the user's documentation precedes.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
