@@ -34,7 +34,7 @@ pub(crate) enum MachineInstruction {
     Copy(Vector, Vector),
     /// Computes `to` = a ∘ b. The fields are ∘, `to`, a and b, in this order.
     Binary(Binary, Vector, Vector, Source<ValueLocation>),
-    /// A fused multiply-add. `FusedOrder` says which of the operands to, b, c are multiplied.
+    /// A fused multiply-add. `FusedOrder` says which of the operands `to`, `b`, `c` are multiplied.
     Fused(Fused, FusedOrder, Vector, Vector, Source<ValueLocation>),
     RoundToSingle(Vector, Vector),
 }
