@@ -10,8 +10,8 @@ use kahan_algebra::prime_field::SplitMix64;
 use super::dyadic::Dyadic;
 
 /// Returns a random real root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits.
-/// Roots are near points v where two terms have equal absolute values. The search compares signs
-/// near these points, and returns `None` if the sign never changes.
+/// At a root the terms cancel, so roots are near points where two terms have equal absolute values.
+/// The search compares signs near these points, and returns `None` if the sign never changes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balanced_exponents(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();

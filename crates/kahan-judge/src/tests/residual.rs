@@ -23,7 +23,7 @@ use crate::judge::{ExactMap, ExactStep, PolePolynomial, Verdict};
 pub(super) enum Rows {
     /// The widest row, for fields of many variables.
     Widest,
-    /// Each row itself, for chains.
+    /// For chains: the bound of each row depends on the number of entries in that row.
     Own,
 }
 
