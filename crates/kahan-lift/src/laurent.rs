@@ -175,7 +175,7 @@ impl Laurent {
         Laurent(kept.map(|(monomial, value)| (monomial.clone(), value.clone())).collect())
     }
 
-    /// Returns the partial derivative by a coordinate. No other coordinate may depend on it.
+    /// Returns the partial derivative with respect to a coordinate, on which no other may depend.
     pub(crate) fn partial(&self, coordinate: usize) -> Self {
         let one = Monomial::power(coordinate, 1);
         let mut derivative = Self::zero();
