@@ -62,7 +62,7 @@ impl<I, C> Operation<I, C> {
 }
 
 impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
-    /// Counts the operations and computes the critical path.
+    /// Counts the operations, and adds the latencies on the longest path of dependent operations.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let mut cost = Cost::default();
