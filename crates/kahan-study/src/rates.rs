@@ -45,7 +45,7 @@ impl Study {
 }
 
 impl Rates {
-    /// Returns the number of rows from one check to the next; `rows` is the number of all rows.
+    /// Returns k if every k-th of the `rows` points of an orbit should be [checked](Self::inspect).
     #[must_use]
     pub fn stride(&self, rows: u64) -> u64 {
         let most = if self.variables > MANY_VARIABLES { MOST_OF_MANY } else { MOST_POINTS };

@@ -480,7 +480,7 @@ impl Study {
             .join(", ")
     }
 
-    /// Returns why a point with det A = 0 has no image: a pole, or a map not in lowest terms.
+    /// Returns why a point with det A = 0 has no known image: a pole, or a map too large to reduce.
     pub(crate) fn pole(&self) -> NoStep {
         if RationalMap::of(&self.system().field).is_some() { NoStep::Pole } else { NoStep::Unreduced }
     }

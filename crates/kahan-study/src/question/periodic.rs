@@ -331,7 +331,6 @@ impl Family {
 
     fn branch(&self, cycle: &PeriodicPoint, axis: &Axis, watch: &dyn Watch) -> Branch {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
-        // A branch that turns back may have more cycles than this estimate.
         let count = WorkCount::new("cycles", steps as u64, watch);
         let mut branch = branch(|value| self.on_leaf(value), cycle, ends, steps, |_| count.tell(1));
         self.finish(&mut branch, axis);

@@ -307,7 +307,7 @@ impl Family {
     }
 }
 
-/// A branch with the extrapolated period and parameter at each point, if known.
+/// A branch of cycles, and for each point the extrapolated period and parameter, if known.
 type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
