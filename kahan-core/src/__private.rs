@@ -77,8 +77,8 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions with the names of arguments of generated methods. Their import hides a user's
-/// constants: a constant `x` would turn the argument `x` into a pattern.
+/// Functions that generated code imports so that they hide a user's constants. Otherwise a constant
+/// `x` would turn the argument `x` of a generated method into a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}

@@ -14,11 +14,12 @@ pub enum Level {
     Baseline,
     /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.
     Avx2,
-    /// AVX-512F, eight `f64` or sixteen `f32` at a time, with the bits of [`Avx2`](Self::Avx2).
-    /// AVX-512F helps mainly multiplications, because its divider is no faster than AVX2's.
+    /// AVX-512F, eight `f64` or sixteen `f32` at a time. Results equal those of
+    /// [`Avx2`](Self::Avx2) in all bits. AVX-512F helps mainly multiplications, because its divider
+    /// is no faster than AVX2's.
     Avx512,
-    /// NEON on 64-bit Arm, two `f64` or four `f32` at a time, with the bits of
-    /// [`Avx2`](Self::Avx2).
+    /// NEON on 64-bit Arm, two `f64` or four `f32` at a time. Results equal those of
+    /// [`Avx2`](Self::Avx2) in all bits.
     Neon,
 }
 

@@ -128,7 +128,7 @@ impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> 
 }
 
 impl<M: ExtendScalars<T, N>, T: FloatScalar, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>> {
-    /// Adds estimates of the discretisation error, computed as for a plain orbit.
+    /// Adds estimates of the discretisation error, computed as for an orbit without compensation.
     pub fn with_error_estimate(self) -> ErrorEstimates<Compensated<KahanAt<M, T, N>>, M, T, N> {
         let Compensated(at) = self.map.clone();
         ErrorEstimates { orbit: self, at, last: None }

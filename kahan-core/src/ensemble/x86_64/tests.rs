@@ -1,4 +1,4 @@
-//! Compares each lane of every lane type with a float, and the estimated reciprocal with division.
+//! Checks that each SIMD lane computes as one float does, and estimated reciprocals against 1/x.
 
 use crate::ensemble::Level;
 use crate::ensemble::columns::{GROUP, Group};

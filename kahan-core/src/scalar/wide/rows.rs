@@ -17,7 +17,7 @@ pub(super) struct DigitRow<const M: usize> {
     cut: Size,
 }
 
-/// The capacity of a short row in digits. Long rows guess quotients from `LEADING` digits.
+/// The most digits of a short row. Longer rows estimate quotients from `LEADING` leading digits.
 const SHORT: usize = 40;
 const LEADING: usize = 18;
 
