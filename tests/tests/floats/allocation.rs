@@ -192,7 +192,7 @@ kahan! {
     for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
 }
 
-/// Asserts that a chain of half bandwidth h stores at most 3h + 12 numbers for each unknown.
+/// Asserts that a chain stores at most 3·`half_bandwidth` + 12 numbers for each unknown.
 fn holds_few_numbers<M: LatticeMap<f64>>(map: &M, half_bandwidth: usize) {
     const SITES: usize = 12_000;
     let mut state: Vec<f64> = (0..SITES * M::BLOCK).map(|k| 1.0 + 0.1 * (k as f64).sin()).collect();

@@ -50,7 +50,7 @@ fn is_positive(subject: &Subject, place: &Place) -> bool {
     subject.generated.det_matrix(&place.state(), &exact(place.eps)).is_positive()
 }
 
-/// Returns the double next to a zero of det A, by bisection of the number with index i.
+/// Bisects coordinate i (the last is ε) to find a zero of det A, and returns a double next to it.
 fn zero_between(subject: &Subject, place: &Place, i: usize, mut low: f64, mut high: f64) -> Option<f64> {
     let sign_at = |value: f64| is_positive(subject, &place.with(i, value));
     let sign = sign_at(low);

@@ -194,7 +194,7 @@ fn hash(commit: &str, name: &str) -> u64 {
 /// Tries weakenings, grouped by their tests. Panics if a weakening makes no test fail.
 fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     copy_workspace();
-    // Weakenings of `kahan-algebra` come last, because cargo compiles most crates again for each.
+    // Changes to `kahan-algebra` come last, because each makes cargo recompile most crates.
     let mut chosen = chosen.to_vec();
     chosen.sort_by_key(|weakening| weakening.file.starts_with("crates/kahan-algebra/"));
     let mut commands: Vec<&str> = Vec::new();

@@ -1,4 +1,4 @@
-//! Blocks written by a user's macro, with all kinds of fragments that formulas can contain.
+//! Blocks in a user's macro, with macro fragments (`ident`, `expr`, `literal`, `tt`) in formulas.
 
 use kahan_core::prelude::*;
 
