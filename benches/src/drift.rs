@@ -4,7 +4,7 @@
 use kahan_core::prelude::*;
 
 kahan! {
-    /// E6 with the integral that is watched.
+    /// E6 of Hone and Petrera, with the integral whose change is measured.
     struct Watched;
     xdot = y*(2*z - x);
     ydot = x^2 - z^2;

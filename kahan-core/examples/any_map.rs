@@ -13,7 +13,7 @@ kahan! {
 }
 
 kahan! {
-    /// Masses on springs, each with its neighbours.
+    /// Masses on springs, each coupled to its two neighbours by further springs.
     struct Springs;
     for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 2*q[i] + q[i+1] - q[i]; }
 }

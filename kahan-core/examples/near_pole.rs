@@ -7,7 +7,7 @@
 use kahan_core::prelude::*;
 
 kahan! {
-    /// x(t) = x₀/(1 − x₀ t) leaves every bound at t = 1/x₀.
+    /// The solution x(t) = x₀/(1 − x₀ t) becomes infinite at t = 1/x₀.
     struct BlowUp;
     xdot = x^2;
 }

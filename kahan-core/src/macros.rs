@@ -32,7 +32,7 @@
 /// use kahan_core::prelude::*;
 ///
 /// kahan! {
-///     /// The system E6: two compatible Lie-Poisson structures, integrable as a flow and as a map.
+///     /// The system E6 of Hone and Petrera, which is integrable as a flow and as a map.
 ///     pub struct E6;
 ///     xdot = y*(2*z - x);
 ///     ydot = x^2 - z^2;

@@ -12,14 +12,14 @@ kahan! {
 }
 
 kahan! {
-    /// Its solutions are polynomials of degree 2 in t.
+    /// A thrown body. Its solutions are polynomials of degree 2 in t.
     struct Thrown;
     xdot = v;
     vdot = -2;
 }
 
 kahan! {
-    /// The Euler top with x² + y² and x² + z² constant.
+    /// A case of the Euler top, in which x² + y² and x² + z² are constant.
     struct Top;
     xdot = y*z;
     ydot = -x*z;
@@ -79,7 +79,7 @@ fn pieces_follow_the_motion() {
 }
 
 kahan! {
-    /// Robertson's kinetics: nothing at the beginning shows how fast it will be.
+    /// Robertson's kinetics. The field and the Jacobian at (1, 0, 0) show no fast time scale.
     struct Kinetics;
     xdot = -x/25 + 10000*y*z;
     ydot = x/25 - 10000*y*z - 30000000*y^2;
@@ -87,7 +87,7 @@ kahan! {
 }
 
 kahan! {
-    /// s falls by e^{-50}, and comes back to decide.
+    /// From n = 0, s falls by a factor of more than 10¹³ while n < 1, and then grows.
     struct Laser;
     ndot = 2 - n - n*s;
     sdot = 100*s*(n - 1);

@@ -4,14 +4,14 @@ use kahan_core::LatticeError;
 use kahan_core::prelude::*;
 
 kahan! {
-    /// Volterra's chain, closed.
+    /// Volterra's chain, closed to a ring.
     pub(crate) struct Ring;
     for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
     integral S = sum(x[i]);
 }
 
 kahan! {
-    /// Volterra's chain, open.
+    /// Volterra's chain with open ends.
     pub struct Chain;
     for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
     integral S = sum(x[i]);
@@ -38,13 +38,13 @@ kahan! {
 }
 
 kahan! {
-    /// Species along a shore, each with a growth of its own.
+    /// Competing species along a shore, each with its own growth rate.
     pub(crate) struct Shore { mu, r }
     for i in open { n[i]dot = n[i]*(r[i] - n[i] - mu*(n[i-1] + n[i+1])); }
 }
 
 kahan! {
-    /// Four sites of the ring, written out.
+    /// Volterra's ring of four sites, written as a system with four equations.
     pub struct FourSites;
     adot = a*(b - d);
     bdot = b*(c - a);

@@ -44,13 +44,13 @@ kahan! {
 }
 
 kahan! {
-    /// The time is a state, the second one.
+    /// A field that depends on the time t, which becomes the second state.
     lift struct Forced;
     xdot = t^3 - x;
 }
 
 kahan! {
-    /// The parameter stands in first values alone.
+    /// The parameter occurs in the initial value of the new variable, but not in the lifted field.
     lift struct Root { a }
     xdot = sqrt(a + x);
 }

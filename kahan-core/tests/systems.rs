@@ -3,7 +3,7 @@
 use kahan_core::prelude::*;
 
 kahan! {
-    /// An integrable field, E6 of the paper.
+    /// The integrable field E6 of Hone and Petrera.
     pub(crate) struct E6;
     xdot = y*(2*z - x);
     ydot = x^2 - z^2;
@@ -41,20 +41,20 @@ kahan! {
 }
 
 kahan! {
-    /// A circle around the origin: a step turns by 2 arctan ε.
+    /// A rotation around the origin. Each step turns by the angle 2 arctan ε.
     pub(crate) struct Turn;
     xdot = y;
     ydot = -x;
 }
 
 kahan! {
-    /// Its solution 1/(1/x₀ − t) ends at t = 1/x₀.
+    /// The solution 1/(1/x₀ − t) becomes infinite at t = 1/x₀.
     pub(crate) struct Burst;
     xdot = x^2;
 }
 
 kahan! {
-    /// Two oscillators, coupled.
+    /// Hénon and Heiles' two coupled oscillators.
     pub(crate) struct Henon;
     qdot = p;
     pdot = -q - 2*q*r;
@@ -63,7 +63,7 @@ kahan! {
 }
 
 kahan! {
-    /// Field and Noyes' oregonator, softened: a relaxation oscillation.
+    /// Field and Noyes' oregonator, a relaxation oscillation, with less stiff coefficients.
     pub(crate) struct Relaxation;
     xdot = 20*(y - x*y + x - x^2/500);
     ydot = (z - y - x*y)/20;

@@ -1,10 +1,10 @@
 use kahan_core::prelude::*;
 
 kahan! {
-    /// Clebsch's case of a body in a fluid, ṁ = p × Wp, ṗ = p × m with W = diag(w1, w2, w3): m =
-    /// (k, l, m), p = (p, q, r).
+    /// Clebsch's case of a body in a fluid: ṁ = p × Wp and ṗ = p × m, where W = diag(w1, w2, w3),
+    /// m = (k, l, m) and p = (p, q, r).
     ///
-    /// Integrals of the flow: |p|², m·p, ½(|m|² + p·Wp).
+    /// Integrals of the flow are |p|², m·p and ½(|m|² + p·Wp).
     pub struct Clebsch { w1, w2, w3 }
 
     kdot = (w3 - w2)*q*r;

@@ -8,7 +8,7 @@ kahan! {
 }
 
 kahan! {
-    /// u_t = −6 u u_x − u_xxx by central differences of width h.
+    /// The equation u_t = −6 u u_x − u_xxx, discretised by central differences of width h.
     pub(crate) struct Kdv { h }
     for i in periodic {
         u[i]dot = -3*(u[i+1]^2 - u[i-1]^2)/(2*h) - (u[i+2] - 2*u[i+1] + 2*u[i-1] - u[i-2])/(2*h^3);

@@ -16,7 +16,7 @@ kahan! {
 }
 
 kahan! {
-    /// A quadratic lattice of Bogoyavlensky's kind, reach 3.
+    /// Bogoyavlensky's quadratic lattice with three neighbours on each side.
     pub struct Bogoyavlensky;
     for i in periodic {
         x[i]dot = x[i]*(x[i+3] + x[i+2] + x[i+1] - x[i-1] - x[i-2] - x[i-3]);
@@ -25,7 +25,7 @@ kahan! {
 }
 
 kahan! {
-    /// Sites on a ring with a flux over offsets up to 3, and a parameter.
+    /// A ring with diffusion and with a quadratic flux of strength c over offsets up to 3.
     pub struct Flux { c }
     for i in periodic {
         q[i]dot = c*(q[i+2]*q[i+3] - q[i-1]*q[i]) + (q[i+1] - 2*q[i] + q[i-1]);
@@ -34,7 +34,7 @@ kahan! {
 }
 
 kahan! {
-    /// u_tt = u_xx + u u_x, first order in time: not Hamiltonian as written.
+    /// The equation u_tt = u_xx + u u_x of first order in time. This form is not Hamiltonian.
     pub struct Wave { h }
     for i in periodic {
         u[i]dot = v[i];
@@ -66,8 +66,8 @@ kahan! {
 }
 
 kahan! {
-    /// Predator and prey that cannot leave: what crosses a border is a parameter of the site, 0 at
-    /// the ends.
+    /// Predator and prey that cannot leave. The rates of exchange with the left and right neighbour
+    /// are parameters of a site, and are 0 across the ends.
     pub struct NoFlux { left, right, grow }
     for i in open {
         u[i]dot = u[i]*(grow[i] - u[i] - v[i]) + right[i]*(u[i+1] - u[i]) + left[i]*(u[i-1] - u[i]);

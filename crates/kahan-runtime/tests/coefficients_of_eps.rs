@@ -13,13 +13,13 @@ mod support;
 use support::{q, read, samples};
 
 kahan! {
-    /// 1/x̃ = 1/x − 2ε − 2aε³.
+    /// The map is 1/x̃ = 1/x − 2ε − 2aε³.
     pub struct Advance { a }
     xdot = (1 + a*eps^2)*x^2;
 }
 
 kahan! {
-    /// Three variables, with a divisor that depends on ε.
+    /// A field in three variables, with a divisor that depends on ε.
     pub struct Curved { a, b }
     xdot = y*z*(1 - a*eps^2) + b*eps^4*x;
     ydot = (a - eps^2)*(x - b*y)*z - eps^2/2;
@@ -27,7 +27,7 @@ kahan! {
 }
 
 kahan! {
-    /// [`Curved`] with ε² as a parameter.
+    /// [`Curved`] with the parameter k in place of ε².
     pub struct Straight { a, b, k }
     xdot = y*z*(1 - a*k) + b*k^2*x;
     ydot = (a - k)*(x - b*y)*z - k/2;
@@ -35,14 +35,14 @@ kahan! {
 }
 
 kahan! {
-    /// The factor 1 − ε − ε(1 − ε²)x cancels in the map.
+    /// A field whose det A has the factor 1 − ε − ε(1 − ε²)x, which cancels in the map.
     pub struct Reduced;
     xdot = x^2;
     ydot = (1 - eps^2)*x*y + y;
 }
 
 kahan! {
-    /// Nine variables, so that each step eliminates.
+    /// A field in nine variables, whose steps use elimination.
     pub struct Chain { a }
     x1dot = x2*x3*(1 + a*eps^2) - x1;
     x2dot = x3*x1 + eps^2*x2^2;

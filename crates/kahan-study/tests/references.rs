@@ -132,7 +132,7 @@ fn more_agreement_than_two_double_doubles_can_have_is_refused() {
 }
 
 kahan! {
-    /// Field and Noyes' oregonator, with a steep relaxation.
+    /// Field and Noyes' oregonator, which has a stiff relaxation oscillation.
     struct Oregonator;
     xdot = 77/2*(y - x*y + x - x^2/120000);
     ydot = (z - y - x*y)/77;
@@ -140,8 +140,7 @@ kahan! {
 }
 
 kahan! {
-    /// Robertson's kinetics: y stays below 4·10⁻⁵ of the solution's size, but determines the
-    /// motion.
+    /// Robertson's kinetics. The variable y stays below 4·10⁻⁵, but determines the motion.
     struct Kinetics;
     xdot = -x/25 + 10000*y*z;
     ydot = x/25 - 10000*y*z - 30000000*y^2;

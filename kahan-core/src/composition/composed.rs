@@ -178,7 +178,7 @@ where
     /// use kahan_core::prelude::*;
     ///
     /// kahan! {
-    ///     /// A pendulum's cubic neighbour, ẍ = 6x² − 2.
+    ///     /// The equation ẍ = 6x² − 2, whose energy is cubic in x.
     ///     pub struct Weierstrass;
     ///     xdot = y;
     ///     ydot = 6*x^2 - 2;

@@ -27,7 +27,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     /// use kahan_core::prelude::*;
     ///
     /// kahan! {
-    ///     /// Growth that a pond has room for.
+    ///     /// Logistic growth to the capacity 1.
     ///     pub struct Logistic;
     ///     xdot = x*(1 - x);
     /// }
@@ -109,7 +109,7 @@ impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> 
     /// use kahan_core::prelude::*;
     ///
     /// kahan! {
-    ///     /// Growth that a pond has room for.
+    ///     /// Logistic growth to the capacity 1.
     ///     pub struct Logistic;
     ///     xdot = x*(1 - x);
     /// }

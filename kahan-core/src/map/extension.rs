@@ -13,7 +13,7 @@ use super::tangent::carry_along;
 /// use kahan_core::ExtendScalars;
 ///
 /// kahan! {
-///     /// A particle that meets resistance.
+///     /// A particle slowed by a resistance kv².
 ///     pub struct Drag { k }
 ///     xdot = v;
 ///     vdot = -k*v^2;

@@ -21,7 +21,7 @@ where
     /// use kahan_core::prelude::*;
     ///
     /// kahan! {
-    ///     /// Escapes to infinity in finite time, and comes back from the other side.
+    ///     /// Solutions from x > 0 reach +∞ in finite time. Orbits of the map then return from −∞.
     ///     pub struct Riccati;
     ///     xdot = x^2;
     /// }

@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use crate::{Elimination, KahanMap, QuadraticField, Scalar};
 
 crate::kahan! {
-    /// A system whose map cancels the factor 1 + εz of det A.
+    /// A system whose det A has the factor 1 + εz, which cancels in the map.
     pub(super) struct E3;
     xdot = -x*z;
     ydot = -y*z;
@@ -13,7 +13,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// A system with one form for single orbits and lanes.
+    /// A system that uses the same formulas for single orbits and for SIMD lanes.
     pub(super) struct E6;
     xdot = y*(2*z - x);
     ydot = x^2 - z^2;
@@ -21,7 +21,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// A system whose closed form is reduced for every ξ.
+    /// A system whose closed form serves every ξ. At ξ = 1 a common factor remains.
     pub(super) struct E7 { xi }
     xdot = -x^2;
     ydot = -xi*x*y;
@@ -29,7 +29,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// E7 at ξ = 1; its map cancels the factor 1 + εx of det A.
+    /// E7 at ξ = 1. Here det A has the factor 1 + εx, which cancels in the map.
     pub(super) struct E1;
     xdot = -x^2;
     ydot = -x*y;

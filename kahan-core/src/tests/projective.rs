@@ -7,13 +7,13 @@ use crate::prelude::*;
 use crate::{Projective, ProjectivePoint, ThroughPoles};
 
 kahan! {
-    /// Escapes to infinity in finite time, and comes back from the other side.
+    /// Solutions from x > 0 reach +∞ in finite time. Orbits of the map then return from −∞.
     struct Riccati;
     xdot = x^2;
 }
 
 kahan! {
-    /// A top of equal moments. At ε = 1/2 the plane x + y + z = 2 is mapped to the point (2, 2, 2).
+    /// A top with equal coefficients. At ε = 1/2 the plane x + y + z = 2 is mapped to (2, 2, 2).
     struct Top;
     xdot = y*z;
     ydot = z*x;
@@ -21,7 +21,7 @@ kahan! {
 }
 
 kahan! {
-    /// Predator and prey: points at infinity stay there.
+    /// Predator and prey. The map takes points at infinity to points at infinity.
     struct Prey;
     xdot = x*(1 - y);
     ydot = y*(x - 1);

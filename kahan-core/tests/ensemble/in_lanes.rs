@@ -18,7 +18,7 @@ kahan! {
 }
 
 kahan! {
-    /// Two divisions, one after the other; lanes have one.
+    /// A field whose step divides twice in succession for one orbit, but once in SIMD lanes.
     pub(crate) struct E5;
     xdot = x*y;
     ydot = -x^2;

@@ -9,7 +9,7 @@ use crate::observe::Lorenz;
 use crate::systems::{E6, EulerTop};
 
 kahan! {
-    /// A chain of nine, which is eliminated and has no lanes.
+    /// A ring of nine variables. Its step uses elimination, and therefore no SIMD lanes.
     struct Nine;
     adot = a*(b - i); bdot = b*(c - a); cdot = c*(d - b); ddot = d*(e - c); edot = e*(f - d);
     fdot = f*(g - e); gdot = g*(h - f); hdot = h*(i - g); idot = i*(a - h);

@@ -22,7 +22,7 @@ fn lorenz_has_the_exponents_of_the_literature() {
 }
 
 kahan! {
-    /// Decay and growth along the axes.
+    /// A linear field with the growth rates a and b along the axes.
     struct Along { a, b }
     xdot = a*x;
     ydot = b*y;

@@ -11,7 +11,7 @@ use crate::lattices::Ring;
 use crate::systems::{Burst, Turn};
 
 kahan! {
-    /// The angle of the tangent x grows by arctan 2ε a step: x rises through 0, falls through ∞.
+    /// The variable x is the tangent of an angle that grows by arctan 2ε in each step.
     pub(crate) struct Tangent;
     xdot = x^2 + 1;
     ydot = 1;

@@ -10,7 +10,7 @@ mod sections;
 use kahan_core::prelude::*;
 
 kahan! {
-    /// Lorenz' system, whose step has a second form, over ε.
+    /// Lorenz' system, whose step also has a form that divides by ε.
     pub(crate) struct Lorenz { sigma, rho, beta }
     xdot = sigma*(y - x);
     ydot = x*(rho - z) - y;

@@ -173,7 +173,7 @@ fn chains_allocate_nothing_once_they_are_made() {
 }
 
 kahan! {
-    /// A ring with the widest band of any chain in the tests: 3·5 + 2 on either side.
+    /// A ring with the half-bandwidth 3·5 + 2 = 17, the largest of any chain in the tests.
     struct Wide;
     for i in periodic {
         x[i]dot = x[i]*(x[i+1] - z[i-5]);

@@ -8,19 +8,19 @@ use kahan_core::{Dd, ExtendScalars};
 use kahan_tests::rounding::UNIT_F64;
 
 kahan! {
-    /// Positions depend only on momenta, so eliminating them by their pivots is accurate.
+    /// Rates of positions are momenta, so eliminating positions by diagonal pivots is accurate.
     struct HenonHeiles;
     xdot = p; ydot = q; pdot = -x - 2*x*y; qdot = y^2 - x^2 - y;
 }
 
 kahan! {
-    /// Five variables, for which eliminating independent states by their pivots loses ten digits.
+    /// Five variables. Eliminating independent states by diagonal pivots would lose ten digits.
     struct Five;
     adot = b*c; bdot = c*d - a; cdot = d*e - b*a; ddot = e*a + c; edot = a*b - d^2;
 }
 
 kahan! {
-    /// Two blocks; the first one drives the second.
+    /// A field of two blocks. The states x and y of the first block drive z and w.
     struct Driven;
     xdot = x - y*x; ydot = x*y - y; zdot = z*x - z*y + x; wdot = w*z - x*w + z;
 }

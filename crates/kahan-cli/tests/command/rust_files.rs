@@ -17,7 +17,7 @@ kahan! {
 mod inner {
     use kahan_core::prelude::*;
     kahan! {
-        /// Another.
+        /// The second system of this file.
         pub struct Second;
         udot = v;
         vdot = u^2;

@@ -25,7 +25,7 @@ pub(crate) use series::SeriesScalar;
 /// use kahan_dynamics::Flow;
 ///
 /// kahan! {
-///     /// Growth that a pond has room for.
+///     /// Logistic growth to the capacity 1.
 ///     pub struct Logistic;
 ///     xdot = x*(1 - x);
 /// }

@@ -81,7 +81,7 @@ pub(super) type BranchPosition = DVector<f64>;
 /// use kahan_core::prelude::*;
 ///
 /// kahan! {
-///     /// Stands still at x² = a.
+///     /// A field with fixed points at x² = a.
 ///     pub struct Fold { a }
 ///     xdot = a - x^2;
 /// }

@@ -11,7 +11,7 @@
 //! use kahan_core::prelude::*;
 //!
 //! kahan! {
-//!     /// A pendulum of sorts, with a saddle at (1, 0).
+//!     /// A nonlinear oscillator with a saddle at (1, 0).
 //!     pub struct Pendulum;
 //!     xdot = y;
 //!     ydot = x^2 - x;

@@ -151,7 +151,7 @@ impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
     /// use kahan_core::prelude::*;
     ///
     /// kahan! {
-    ///     /// A circle around the origin, run through ever faster or slower.
+    ///     /// Motion along a circle around the origin, with a speed that depends on x.
     ///     pub struct Turn;
     ///     xdot = y*(2 + x);
     ///     ydot = -x*(2 + x);

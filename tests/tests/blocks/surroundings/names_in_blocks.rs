@@ -5,7 +5,7 @@ use kahan_core::prelude::*;
 use crate::blocks::surroundings::{assert_kahan, ratio};
 
 kahan! {
-    /// A type and parameters with the names of common type parameters; short names of states.
+    /// A type and parameters named like common type parameters, and states with short names.
     pub(super) struct T { N, S }
     tdot = h + eps_;
     hdot = -N*t*x_;
@@ -14,7 +14,7 @@ kahan! {
 }
 
 kahan! {
-    /// States with the names of keywords.
+    /// A system whose states have the names of Rust keywords.
     pub(super) struct Keywords;
     indot = as*in;
     asdot = self - type;
@@ -24,7 +24,7 @@ kahan! {
 }
 
 kahan! {
-    /// Names of the prelude.
+    /// A system with names of Rust's prelude and of primitive types.
     pub(super) struct Vec { Vec, Some, None, Clone, str, f64 }
     Resultdot = Vec*Option - Some;
     Optiondot = None*Result + Clone*Option^2;
@@ -32,7 +32,7 @@ kahan! {
 }
 
 kahan! {
-    /// Names of temporaries.
+    /// A system with names of temporary variables in generated code.
     pub(super) struct Temporaries { p_x, half_step, state, other, system, field, extended, numerators, denominator }
     s_xdot = p_x*t_1 + half_step*o_x;
     t_1dot = state*s_x - other*o_x^2;
@@ -41,7 +41,7 @@ kahan! {
 }
 
 kahan! {
-    /// Names of generated items.
+    /// A system whose parameters have names of generated items.
     pub(super) struct U { convert, prepared }
     xdot = convert*x*y;
     ydot = prepared*x^2;
@@ -51,7 +51,7 @@ kahan! {
 #[allow(non_camel_case_types, reason = "a name to be in the way")]
 pub(super) mod argument {
     kahan_core::kahan! {
-        /// A system without parameters, with the name of an argument.
+        /// A system without parameters, named like an argument of generated functions.
         pub(in super::super) struct x;
         ydot = x;
         xdot = -y;
@@ -60,7 +60,7 @@ pub(super) mod argument {
 }
 
 kahan! {
-    /// Names with non-ASCII letters, and names that differ by case only.
+    /// A system with names that contain non-ASCII letters, and names that differ by case only.
     pub(super) struct Größe { größe, Größe }
     Xdot = größe*x*X;
     xdot = Größe*X - x;
@@ -74,7 +74,7 @@ kahan! {
 }
 
 kahan! {
-    /// Claims with the names of methods and of constants.
+    /// A system whose claims have the names of methods, of constants and of Rust keywords.
     pub(super) struct Claims { k }
     xdot = k*y;
     ydot = -k*x;
@@ -140,7 +140,7 @@ fn claims_may_have_the_names_of_methods() {
 }
 
 kahan! {
-    /// States whose constants would collide with those of other states, an integral or a list.
+    /// A system whose index constants would collide with each other, with H or with VARIABLES.
     struct Places { mu }
     xdot = y;
     ydot = -mu*x;

@@ -22,7 +22,7 @@ mod in_one_piece {
     use super::kahan;
 
     kahan! {
-        /// Written by hand.
+        /// The system that the macro writes, written by hand.
         pub(super) struct FromPieces { mu }
         xdot = (x + 1)*y - 0.1*mu*x;
         ydot = (x - y)^2 - (x + 1)^2;

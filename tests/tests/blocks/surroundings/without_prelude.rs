@@ -4,7 +4,7 @@ mod bare {
     #![no_implicit_prelude]
 
     ::kahan_core::kahan! {
-        /// A system in a scope without names.
+        /// A system in a scope without the prelude.
         pub(super) struct E1;
         xdot = -x^2;
         ydot = -x*y;

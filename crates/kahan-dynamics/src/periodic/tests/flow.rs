@@ -116,9 +116,9 @@ fn the_first_doubling_of_the_roessler_system_is_known_to_six_digits() {
 }
 
 kahan! {
-    /// In polar coordinates r' = (z − b) r, z' = 3/5 + z − z² − r² + u/10, with cycles at z = b of
-    /// period 2π/3. Two cycles meet at p = 0, the root of u. A complex pair of multipliers is on
-    /// the unit circle at b = 1/2, u = 0.
+    /// In polar coordinates, r' = (z − b) r and z' = 3/5 + z − z² − r² + u/10. Cycles have z = b
+    /// and the period 2π/3. The cycles with u = √p and u = −√p meet at p = 0. At b = 1/2 a complex
+    /// pair of multipliers is on the unit circle.
     struct Torus { b, p }
     xdot = x*z - b*x - 3*y;
     ydot = 3*x + y*z - b*y;

@@ -18,13 +18,13 @@ const BITS: i32 = 24;
 type Number24 = Worst<BITS>;
 
 crate::kahan! {
-    /// A pole at 1 − 2εx + ε²k = 0.
+    /// A field whose map has a pole at 1 − 2εx = 0.
     struct Riccati { k }
     xdot = x^2 - k;
 }
 
 crate::kahan! {
-    /// Three variables, two factors of the denominator.
+    /// A field in three variables. The factors of det A are 1 − εx, 1 − 2εy and 1 + ε − εy.
     struct Chain { a }
     xdot = x*y - x;
     ydot = y^2 + a;
@@ -32,7 +32,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// A product of states whose factor may be larger than any state.
+    /// A field in which y² has the coefficient a, which may be larger than any state.
     struct Driven { a }
     xdot = a*y^2;
     ydot = -y;
@@ -44,7 +44,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// A numerator of many roundings over a short denominator.
+    /// A field whose step has many roundings in its numerator and few in its denominator.
     struct LongNumber { a }
     xdot = -x + a^12*y;
     ydot = 0;
@@ -282,7 +282,7 @@ fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {
 }
 
 crate::kahan! {
-    /// A ring of nine sites, whose step is solved along its couplings.
+    /// A ring of nine variables, whose step uses sparse elimination.
     struct Ring { h }
     adot = a*(b - i); bdot = b*(c - a); cdot = c*(d - b); ddot = d*(e - c); edot = h*e*(f - d);
     fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);

@@ -4,7 +4,7 @@
 use kahan_core::prelude::*;
 
 kahan! {
-    /// E6, the Kahan map with the integrals of Table 2, row 6.
+    /// E6 of Hone and Petrera, with the integrals of Table 2, row 6 of their paper.
     pub struct E6;
 
     xdot = y*(2*z - x);
@@ -27,7 +27,7 @@ kahan! {
 }
 
 kahan! {
-    /// Dense, quadratic, six states, three parameters, and one linear integral.
+    /// A dense quadratic field with six states, three parameters and one linear integral.
     pub struct Dense { a, b, c }
     xdot = 1/6*b*x*x + 7/1*c*x*y - 1/6*x*z - 2/1*b*x*u + 4/2*c*x*v + 7/1*a*x*w - 5/6*a*y*y + 3/3*a*y*z +
         3/2*y*u - 2/5*c*y*v - 2/2*y*w - 5/2*a*z*z - 2/2*b*z*u + 2/2*a*z*v - 2/6*a*z*w + 3/3*u*u + 2/4*a*u*v
@@ -70,14 +70,14 @@ kahan! {
 }
 
 kahan! {
-    /// A lift of least order.
+    /// A lift with the two new variables sin x and cos x.
     lift pub struct Pendulum { g }
     xdot = v;
     vdot = -g*sin(x);
 }
 
 kahan! {
-    /// A lift that requires a search.
+    /// A lift whose new variables are found by a search.
     lift pub struct Kepler { mu }
     xdot = p;
     ydot = q;
