@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::price::pace;
 use super::scene::Setting;
 
-pub(crate) struct Told {
+pub(crate) struct TradeAnswer {
     pub(crate) choice: Setting,
     /// The price of one setting of each `Scheme`, in nanoseconds per unit of simulated time. The
     /// setting is the one with the smallest ε in the command's answer.
@@ -19,7 +19,7 @@ pub(crate) struct Told {
     pub(crate) pace: f64,
 }
 
-pub(crate) fn choice(field: &str, start: &[&str], horizon: f64, tolerance: f64) -> Result<Told> {
+pub(crate) fn choice(field: &str, start: &[&str], horizon: f64, tolerance: f64) -> Result<TradeAnswer> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let before = pace();
     let output = Command::new(cargo)
@@ -41,7 +41,7 @@ pub(crate) fn choice(field: &str, start: &[&str], horizon: f64, tolerance: f64) 
             None => prices.push((setting, price)),
         }
     }
-    Ok(Told { choice: setting(&object["choice"])?, prices, pace })
+    Ok(TradeAnswer { choice: setting(&object["choice"])?, prices, pace })
 }
 
 fn price(object: &Value) -> Result<f64> {

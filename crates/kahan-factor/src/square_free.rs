@@ -11,7 +11,7 @@ pub(super) fn square_free(polynomial: &Polynomial, budget: &mut Budget) -> Vec<(
     let Ok((content, rest)) = content_and_rest(polynomial, main, budget) else {
         return vec![(polynomial.clone(), 1)];
     };
-    let mut factors = yun(&rest, main, budget).unwrap_or_else(|_| vec![(rest, 1)]);
+    let mut factors = square_free_by_yun(&rest, main, budget).unwrap_or_else(|_| vec![(rest, 1)]);
     factors.extend(square_free(&content, budget));
     factors
 }
@@ -26,7 +26,7 @@ fn content_and_rest(
     Ok((content, rest.primitive_part()))
 }
 
-pub(super) fn yun(
+pub(super) fn square_free_by_yun(
     polynomial: &Polynomial,
     main: Variable,
     budget: &mut Budget,

@@ -32,7 +32,7 @@ pub(super) fn factors(
     budget: &mut Budget,
 ) -> Result<Vec<(Polynomial, u32)>, OverBudget> {
     let mut all = Vec::new();
-    for (part, exponent) in square_free::yun(polynomial, main, budget)? {
+    for (part, exponent) in square_free::square_free_by_yun(polynomial, main, budget)? {
         let degree = part.degree() as usize;
         budget.charge(separation_work(degree))?;
         let coefficient = |power: usize| part.coefficient(&Monomial::power(main, power as u32)).numerator();

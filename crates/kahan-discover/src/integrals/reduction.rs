@@ -134,7 +134,7 @@ mod tests {
     use kahan_algebra::{lexer, read};
 
     #[test]
-    fn what_other_integrals_add_to_a_pole_is_taken_away() {
+    fn contributions_of_other_integrals_to_a_pole_are_subtracted() {
         let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
         let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let symbols = &field.symbols;

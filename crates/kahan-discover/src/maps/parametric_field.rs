@@ -62,7 +62,7 @@ impl ParametricField {
     }
 
     /// Returns whether the field is defined at ε = 0 for generic parameters.
-    pub(crate) fn has_limit(&self) -> bool {
+    pub(crate) fn has_limit_at_eps_zero(&self) -> bool {
         let epsilon = self.symbols.epsilon();
         self.divisors.iter().all(|divisor| !divisor.substitute(epsilon, &Rational::zero()).is_zero())
     }

@@ -23,7 +23,7 @@ pub fn mutations(text: &str) -> Vec<String> {
     for (index, (token, range)) in tokens.iter().zip(&lexed.ranges).enumerate() {
         match (&token.kind, &*token.text) {
             (TokenKind::Literal, literal) => {
-                numbers.extend(raised(literal).map(|next| replace(range, &next)));
+                numbers.extend(incremented(literal).map(|next| replace(range, &next)));
             }
             (TokenKind::Punctuation('+'), _) => signs.push(replace(range, "-")),
             (TokenKind::Punctuation('-'), _) if is_binary(tokens, index) => signs.push(replace(range, "+")),
@@ -51,7 +51,7 @@ fn follows_bang(tokens: &[Token], index: usize) -> bool {
 
 /// Increases the last digit of a literal, for example `3` to `4`, `14.05` to `14.06`, `1e-3` to
 /// `2e-3`.
-fn raised(literal: &str) -> Option<String> {
+fn incremented(literal: &str) -> Option<String> {
     let (mantissa, exponent) = match literal.split_once('e') {
         Some((mantissa, exponent)) => (mantissa, format!("e{exponent}")),
         None => (literal, String::new()),

@@ -105,7 +105,7 @@ impl Denominator {
         if sizes < TINY {
             return None;
         }
-        roots::in_floats(coefficients, error)
+        roots::has_root_in_floats(coefficients, error)
     }
 
     fn has_root_exactly(&self, x: &[f64]) -> bool {

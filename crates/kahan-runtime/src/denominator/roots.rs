@@ -17,7 +17,7 @@ const MAX_HALVINGS: u32 = 12;
 ///
 /// Writes the polynomial in Bernstein form, whose coefficients bound all values on the interval.
 /// The first and the last coefficient are the values at the ends.
-pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
+pub(super) fn has_root_in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
     let mut form = [0.0; MAX_COEFFICIENTS];
     let form = form.get_mut(..coefficients.len())?;
     form.copy_from_slice(coefficients);
@@ -139,7 +139,7 @@ mod tests {
             for sign in [Rational::ONE, -&Rational::ONE] {
                 let signed: Vec<Rational> = coefficients.iter().map(|c| c * &sign).collect();
                 let floats: Vec<f64> = signed.iter().map(Rational::to_f64).collect();
-                let found = in_floats(&floats, 1e-13);
+                let found = has_root_in_floats(&floats, 1e-13);
                 assert!(found.is_none_or(|found| found == has_one), "{roots:?}: {found:?}");
                 assert_eq!(exactly(signed), has_one, "{roots:?}");
             }
@@ -156,7 +156,7 @@ mod tests {
                 let moved: Vec<Rational> =
                     [&coefficients[0] + &delta].into_iter().chain(coefficients[1..].to_vec()).collect();
                 let floats: Vec<f64> = moved.iter().map(Rational::to_f64).collect();
-                assert_eq!(in_floats(&floats, 1e-13), (!is_open).then_some(has_one));
+                assert_eq!(has_root_in_floats(&floats, 1e-13), (!is_open).then_some(has_one));
                 assert_eq!(exactly(moved), has_one);
             }
         }
@@ -164,8 +164,8 @@ mod tests {
 
     #[test]
     fn errors_that_are_no_numbers_leave_all_open() {
-        assert_eq!(in_floats(&[1.0, -2.0], f64::NAN), None);
-        assert_eq!(in_floats(&[f64::INFINITY, f64::NEG_INFINITY], f64::INFINITY), None);
-        assert_eq!(in_floats(&[1.0, -2.0], 1e-13), Some(true));
+        assert_eq!(has_root_in_floats(&[1.0, -2.0], f64::NAN), None);
+        assert_eq!(has_root_in_floats(&[f64::INFINITY, f64::NEG_INFINITY], f64::INFINITY), None);
+        assert_eq!(has_root_in_floats(&[1.0, -2.0], 1e-13), Some(true));
     }
 }

@@ -116,7 +116,7 @@ pub(crate) fn linear(
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<usize> {
-    let is_generic = searched.eps().is_none() && searched.family().has_limit();
+    let is_generic = searched.eps().is_none() && searched.family().has_limit_at_eps_zero();
     let is_infinite =
         |drift: &Drift| drift.kind.has_infinite_order() || drift.kind == DriftKind::Image && is_generic;
     if searched.dimension() != 2

@@ -21,7 +21,7 @@ use super::{Family, Periodic};
 const MOST_NUMBERS: usize = 4_000_000;
 
 /// Returns the number of values that are stored for each point of a cycle in n variables.
-fn numbers(n: usize) -> usize {
+fn numbers_per_point(n: usize) -> usize {
     n * (n + 4)
 }
 
@@ -207,7 +207,7 @@ impl Family {
             if is_it { Ok(found) } else { Err(NoPeriodicPoint::NoReturn) }
         };
         let mut x = self.leaf.coordinates(&self.start);
-        let longest = MOST_STEPS.min(MOST_NUMBERS / numbers(x.len()));
+        let longest = MOST_STEPS.min(MOST_NUMBERS / numbers_per_point(x.len()));
         let mut why = NoPeriodicPoint::NoReturn;
         if let Some(steps) = wanted.filter(|_| asked.transient == 0) {
             match search(&x, eps, steps) {
@@ -257,7 +257,7 @@ impl Family {
         count: &WorkCount<'_>,
     ) -> Result<(BranchPoint, FlowFound, Option<FlowBranch>), StudyError> {
         self.can_free_step()?;
-        let numbers = asked.period.saturating_mul(numbers(self.study.coordinates().len()));
+        let numbers = asked.period.saturating_mul(numbers_per_point(self.study.coordinates().len()));
         if numbers > MOST_NUMBERS {
             return Err(StudyError::LongCycle { unknowns: numbers, most: MOST_NUMBERS });
         }
