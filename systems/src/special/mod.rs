@@ -2,7 +2,7 @@
 //!
 //! Γ, ψ, ratios of Γ, elliptic integrals, Jacobi's elliptic functions and theta functions accept
 //! every [`Real`]. The documented error bounds were measured against [`Float256`] and are tested.
-//! No function panics; without a real value, the result is NaN.
+//! Undefined arguments do not panic: without a real value, the result is NaN or infinite.
 
 mod bernoulli;
 mod elliptic;
