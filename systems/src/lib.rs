@@ -1,8 +1,8 @@
 //! A catalog of quadratic fields with the structures that their Kahan maps preserve: the Euler top,
-//! Lotka–Volterra, E1 to E9 of Hone and Petrera, and further systems. Each file has a `kahan!`
-//! block with a field and its claims, which the macro proves. In blocks, ε (half the time step) is
-//! written `eps`. [`registry`] lists the systems and explains how to add a system. [`lattices`] has
-//! systems with any number of sites.
+//! Lotka–Volterra, E1 to E9 of Hone and Petrera, and further systems. Each system has a `kahan!`
+//! block with a field. Its claims, if any, are proved by the macro. In blocks, ε (half the time
+//! step) is written `eps`. [`registry`] lists the systems and explains how to add a system.
+//! [`lattices`] has systems with any number of sites.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -1,10 +1,10 @@
 //! Shared definitions for closed formulas of orbits and trajectories.
 //!
-//! In the module of a system, `Solution` is an orbit of Kahan's map, with
+//! In the module of a system with closed formulas, `Solution` is an orbit of Kahan's map, with
 //! `Solution::through(&point, &eps)`, and `.at(n)` for any integer n. `FlowSolution` is a
 //! trajectory, with `FlowSolution::through(&point)` and `.at(&t)`. If the system has parameters,
-//! `through` takes them before the point. `.at(0)` is the given point. Rational solutions accept
-//! every [`Scalar`], others every [`Real`](crate::special::Real).
+//! `through` takes them before the point. Up to rounding, `.at(0)` is the given point. Rational
+//! solutions accept every [`Scalar`], others every [`Real`](crate::special::Real).
 
 mod reciprocal;
 

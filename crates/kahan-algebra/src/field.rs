@@ -1,4 +1,5 @@
-//! The checked quadratic field, which is built after all mistakes in the text were reported.
+//! The checked quadratic field. Mistakes in the equations are reported before it is built, those in
+//! claims afterwards.
 //!
 //! Each component is ẋᵢ = pᵢ/qᵢ in lowest terms. The numerator pᵢ has degree at most 2 in the
 //! states, and qᵢ contains no state. Coefficients may depend on ε². The map approximates the flow

@@ -1,5 +1,5 @@
-//! Evaluates every object of Kahan's method at a point, in any arithmetic. In exact arithmetic,
-//! undefined values are `None`.
+//! Evaluates the objects of Kahan's method at a point, in any arithmetic. In exact arithmetic,
+//! undefined values are `None`, and an undefined field is an error.
 
 mod map;
 

@@ -2,10 +2,10 @@
 //!
 //! [`read`] turns tokens of the language of `kahan!` into a checked quadratic vector field.
 //! [`check`] makes a [`system`] or a [`family`], and [`prove`] decides the claims. [`derive()`]
-//! returns every [`plan`] that evaluates the map, by the code in [`derived`].
+//! returns each [`plan`] for a system, by the code in [`derived`].
 //!
-//! The macro, maps at run time and the command all use [`Derived`]. This crate therefore contains
-//! nothing about a target language or the scalars of `kahan-core`.
+//! The macro, maps at run time and the command all use [`Derived`]. This crate therefore writes no
+//! code in a target language, and does not contain the scalars of `kahan-core`.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

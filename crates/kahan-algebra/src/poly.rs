@@ -2,7 +2,7 @@
 //!
 //! Terms are strictly decreasing in graded lexicographic order and have nonzero coefficients. Equal
 //! polynomials are therefore equal as data. This module provides no names of variables, no
-//! evaluation and no factorisation.
+//! evaluation at a point and no factorisation.
 
 mod arithmetic;
 mod budget;

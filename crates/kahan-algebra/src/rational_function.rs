@@ -2,7 +2,8 @@
 //!
 //! Numerator and denominator are coprime, and the denominator is primitive with positive leading
 //! coefficient. Equal functions are therefore equal as data. Henrici's algorithm keeps gcds small,
-//! because operands are in lowest terms. Each operation exists with and without a [`Budget`].
+//! because operands are in lowest terms. Sums, products, quotients and derivatives exist with and
+//! without a [`Budget`].
 
 mod common;
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! The field as the user wrote it. Sums that are factors, and reciprocals of divisors, are named
 //! subexpressions.
 //!
-//! Expansion can lose digits. For example, `(p - q)*x*y` is accurate for p near q, but
-//! `p*x*y - q*x*y` is not. An expanded product of divisors can also be rounded to 0 although no
-//! divisor is 0. Steps in floats therefore use polynomials in states, parameters and named
-//! subexpressions. With all subexpressions inserted, the components are those of the [`Field`].
+//! Expansion can lose digits. For example, `(p - q)*x*y` is accurate for p near q, but `p*x*y -
+//! q*x*y` is not. An expanded product of divisors can also be rounded to 0 although no divisor is
+//! 0. Steps in floats therefore usually keep subexpressions without states, and sums of states
+//! whose expansion may lose digits. With all subexpressions inserted, the components are those of
+//! the [`Field`].
 
 use kahan_program::Numbered;
 use kahan_syntax::rational::Rational;

@@ -1,4 +1,5 @@
-//! Proves findings of `discover` for random fields a second time, by expansion over ℚ.
+//! Proves findings of `discover` for random fields a second time, by expansion over ℚ. Findings
+//! that are too long are proved modulo primes.
 //!
 //! The second proof shares neither primes nor random points with `discover`.
 //! `cargo run --release -p kahan-discover --example random_fields -- --help`

@@ -1,6 +1,6 @@
 //! Solutions of systems with ẋ = −x², which Kahan's method solves exactly. After the time t, x =
 //! 1/T with T = t + α. After n steps of length 2ε, x = 1/(2εN) with N = n + τ. Here α and τ are
-//! constants. The flow preserves K = xz + y², and the map preserves K/(1 − ε²x²).
+//! constants. The flows preserve K = xz + y², and the maps of E1 and E2 preserve K/(1 − ε²x²).
 
 use core::marker::PhantomData;
 

@@ -1,5 +1,6 @@
 //! Γ and ψ of [`Float256`](super::Float256). An asymptotic series gives Γ(x + n) or ψ(x + n) for
-//! large n, and a recurrence leads back to x. Floats use other crates (see [`Real::gamma`]).
+//! large n, and a recurrence leads back to x. For x < 1/2, a reflection leads to 1 − x first.
+//! Floats use other crates (see [`Real::gamma`]).
 
 use super::Real;
 

@@ -1,8 +1,8 @@
 //! Transcendental functions in two precisions: `f64`, and 256 bits as [`Float256`].
 //!
 //! Γ, ψ, ratios of Γ, elliptic integrals, Jacobi's elliptic functions and theta functions accept
-//! every [`Real`]. The documented error bounds were measured against [`Float256`] and are tested.
-//! No function panics; without a real value, the result is NaN.
+//! every [`Real`]. The documented error bounds in `f64` were measured against [`Float256`] and are
+//! tested. Undefined arguments do not panic: without a real value, the result is NaN or infinite.
 
 mod bernoulli;
 mod elliptic;

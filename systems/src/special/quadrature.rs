@@ -1,4 +1,5 @@
-//! Numerical integration over a finite interval, to the precision of the number type.
+//! Numerical integration of analytic functions over a finite interval, nearly to the precision of
+//! the number type.
 
 use super::Real;
 

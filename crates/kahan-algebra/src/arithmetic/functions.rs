@@ -1,7 +1,7 @@
 //! Rational functions over ℚ with expanded numerators and factored denominators.
 //!
-//! A function is zero exactly if its numerator has no terms. No gcd is computed. All operations
-//! together have one [`Budget`], and an operation beyond it returns `None`.
+//! A function is zero exactly if its numerator has no terms. No gcd of polynomials is computed. All
+//! operations together have one [`Budget`], and an operation beyond it returns `None`.
 
 use std::cell::RefCell;
 

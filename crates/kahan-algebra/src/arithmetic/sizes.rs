@@ -1,5 +1,5 @@
-//! Bounds degrees and coefficients of fractions. From these bounds, the prover computes the
-//! probability that it accepts a false claim.
+//! Bounds degrees and coefficients of fractions. From these bounds, the prover computes how many
+//! random points a proof needs.
 //!
 //! Plans form fractions N/M of integer polynomials without cancellation. A [`FractionSize`] bounds
 //! the degrees of N and M and the logarithms of their 1-norms. Additions of bounds saturate.

@@ -1,6 +1,6 @@
-//! Expands equations, constants and relations to fractions p/q.
+//! Expands equations, constants, relations and the sums of families to fractions p/q.
 //!
-//! The numerator p is a polynomial in states and parameters, and q contains no state. Limits on
+//! The numerator p is a polynomial in states, parameters and ε, and q contains no state. Limits on
 //! sizes bound compile times. The caller checks the degree of the result.
 //!
 //! The [expression as written](crate::subexpressions) is stored beside p/q. It is dropped if

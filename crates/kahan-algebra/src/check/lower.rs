@@ -1,8 +1,8 @@
 //! Lowers expressions to fractions or plans.
 //!
-//! Equations, constants and relations become fractions ([`expand`](super::expand)). Claims become
-//! plans ([`claims`](super::claims)). [`lower`] reports zero divisors, invalid negative exponents
-//! and misplaced `sum(…)`.
+//! Equations, constants, relations and the sums of families become fractions
+//! ([`expand`](super::expand)). Other claims become plans ([`claims`](super::claims)). [`lower`]
+//! reports zero divisors, invalid negative exponents and misplaced `sum(…)`.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;

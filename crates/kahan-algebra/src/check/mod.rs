@@ -1,8 +1,8 @@
 //! Checks a syntax tree and returns a system or a family.
 //!
 //! Names are checked first, then constants, equations and claims. Each mistake is reported once,
-//! because later stages see a harmless replacement. A block with a mistake is [`Broken`] and has
-//! only a [`StandIn`] that declares its type.
+//! because later stages see a harmless replacement. A block with a mistake is [`Broken`]: it has
+//! the mistakes, and a [`StandIn`] that declares its type.
 
 mod claims;
 mod conditions;

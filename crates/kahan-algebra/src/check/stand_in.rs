@@ -1,5 +1,5 @@
-//! A stand-in for a block with mistakes. The stand-in has header and names but no equations, so
-//! rustc can check the rest of the program.
+//! A stand-in for a block with mistakes. The stand-in has no equations, so rustc can check the rest
+//! of the program. It has the header and, unless the block is too large, the names.
 
 use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;

@@ -1,7 +1,8 @@
 //! Derives the field, the map and the claims of a system as straight-line plans.
 //!
-//! Code generators, maps at run time and printers read their plans from [`Derived`]. All of them
-//! compute equal operations in equal order. [`Lines`] has the plans for one site of a family.
+//! Code generators, maps at run time and printers read their plans from [`Derived`]. From equal
+//! plans, all of them compute equal operations in equal order. [`Lines`] has the plans for one site
+//! of a family.
 
 mod lines;
 mod listing;

@@ -1,8 +1,8 @@
 //! Reduces sums over all sites of a chain to finitely many terms.
 //!
-//! The sums are written for a long chain. The *extent* of a term is the smallest interval that
-//! contains its sites. A sum over the sites vanishes in all chains if and only if the terms of each
-//! extent cancel separately.
+//! The sums are written for a long chain. In an open chain, the *extent* of a term is the smallest
+//! interval that contains its sites. A sum over the sites vanishes in all open chains if and only
+//! if the terms of each extent cancel separately.
 //!
 //! Proof of "only if": let S(a, b) be the sum for a chain that consists of the sites a to b. In
 //! S(a, b) − S(a+1, b) − S(a, b−1) + S(a+1, b−1), exactly the terms with extent [a, b] remain.

@@ -1,5 +1,6 @@
-//! Finds a constant antisymmetric matrix K with ẋ = K∇H for the Hamiltonian H of a family. The
-//! entry of K for two states depends only on their arrays and the difference of their sites.
+//! Checks that a family with the Hamiltonian H has a constant antisymmetric matrix K with ẋ = K∇H.
+//! The entry of K for two states depends only on their arrays and the difference of their sites,
+//! which is at most the family's reach.
 //!
 //! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f, where f is the field and
 //! A = I − εf′. This follows from x̃ − x = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R.

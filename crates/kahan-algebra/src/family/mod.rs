@@ -1,7 +1,7 @@
 //! A family is a chain of sites with equal equations at every site.
 //!
 //! A checked family provides plans for one site ([`Lines`](crate::derived::Lines)), the system of n
-//! sites ([`Family::at_sites`]), and invariants for every n ([`conserved`]).
+//! sites ([`Family::at_sites`]), and proofs of its claims for every n ([`conserved`]).
 
 pub mod conserved;
 pub mod everywhere;

@@ -1,4 +1,5 @@
-//! The bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)], and the polarised field.
+//! The numerators of the bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)] and of the polarised
+//! field.
 
 use kahan_syntax::rational::Rational;
 

@@ -1,4 +1,5 @@
-//! Computes f′(x), A(x,ε) = I − ε f′(x) and b(x,ε) = x + εBx + 2εc for f(x) = Q(x,x) + Bx + c.
+//! Computes f′(x), A(x,ε) = I − ε f′(x) and b(x,ε) = x + εBx + 2εc for f(x) = Q(x,x) + Bx + c. Each
+//! row is multiplied by the denominator of its component of f.
 
 use kahan_syntax::rational::Rational;
 

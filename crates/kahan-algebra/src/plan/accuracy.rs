@@ -2,10 +2,10 @@
 //! pivoting.
 //!
 //! Digits are lost if leading terms of minors cancel, or if a step eliminates with the pivot 1 in a
-//! matrix with large entries. Each candidate formula for a step runs in floats of 30 bits, at
-//! seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000. Elimination with pivoting also runs in 30
-//! bits, and in 53 bits as reference. Errors are multiples of the unit roundoff u. A step's errors
-//! may be at most a fixed multiple of the errors of elimination.
+//! matrix with large entries. The preferred formulas for a step run in floats of 30 bits, at seeded
+//! points with ‖εf′‖∞ near 1, 10, 100 and 1000. Elimination with pivoting also runs in 30 bits, and
+//! in 53 bits as reference. Errors are multiples of the unit roundoff u. A formula is replaced if
+//! its errors exceed a fixed multiple of those of elimination, and a better formula exists.
 
 mod float_plan;
 mod sample_step;

@@ -1,4 +1,5 @@
-//! Writes polynomials in nested (Horner) form, for all plans except those of steps and claims.
+//! Writes polynomials in nested (Horner) form, for most plans. Most steps and claims are written by
+//! other code.
 //!
 //! After every choice of a variable, the remaining terms are examined again. A budget limits the
 //! number of examined terms in a plan. Beyond the budget, all variables are factored out at once.

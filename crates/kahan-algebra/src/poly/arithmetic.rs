@@ -1,8 +1,9 @@
-//! Adds and multiplies polynomials by merging sorted runs of terms.
+//! Adds two polynomials, and multiplies them, by merging sorted runs of terms. Longer sums are
+//! sorted.
 //!
-//! A product forms a sorted run for each term of the shorter factor, and merges only runs of
-//! similar length. Factors of n and m terms take n·m multiplications of terms and about n·m·log₂
-//! min(n, m) comparisons.
+//! A product forms a sorted run for each term of the shorter factor, and merges runs of similar
+//! length first. Factors of n and m terms take n·m multiplications of terms and at most about
+//! n·m·log₂ min(n, m) comparisons.
 
 use std::cmp::Ordering;
 use std::convert::Infallible;

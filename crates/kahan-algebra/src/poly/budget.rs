@@ -1,8 +1,8 @@
-//! Sums, products and powers that stop before they become too large.
+//! Sums, products and powers that fail if they take too much work or become too large.
 //!
 //! A [`Budget`] limits the number of terms in each result, and the total work. Work counts
-//! additions of terms, and multiplications weighted by the lengths of coefficients. Powers with too
-//! many predicted terms are refused before any work. Every `Ok` is exact.
+//! multiplications weighted by the lengths of coefficients, and most additions of terms. Powers
+//! with too many predicted terms are refused before any work. Every `Ok` is exact.
 
 use std::error::Error;
 use std::fmt;

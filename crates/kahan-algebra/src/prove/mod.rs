@@ -3,7 +3,7 @@
 //! A claim is an identity between rational functions of states, parameters and ε. `residual` turns
 //! it into pairs of values that must agree at points from `sample`. `modular` evaluates the pairs
 //! at random points modulo random primes, with error probability below 2⁻¹⁰⁰ ([`sizes`]).
-//! `normal_form` expands the pairs over ℚ. `refute` finds a small exact counterexample.
+//! `normal_form` expands the pairs over ℚ. `refute` searches for a small exact counterexample.
 
 mod modular;
 mod normal_form;

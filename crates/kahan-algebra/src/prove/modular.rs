@@ -1,5 +1,6 @@
 //! Proves claims at random points modulo random primes and at one exact point. [`super::sizes`]
-//! bounds the error. A claim that is undefined at all exact points tried is proved by primes alone.
+//! bounds the error. A claim that is undefined at 16 exact points is proved by primes alone, unless
+//! a counterexample is found.
 
 use kahan_syntax::syntax::ClaimKind;
 

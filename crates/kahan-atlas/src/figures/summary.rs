@@ -1,4 +1,4 @@
-//! The table of the orbits of all figures.
+//! The table of the exact orbits, whose heights the figures show.
 
 use maud::{Markup, html};
 

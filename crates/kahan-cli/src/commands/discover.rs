@@ -1,4 +1,4 @@
-//! The command `kahan discover`, which searches for everything that a map preserves.
+//! The command `kahan discover`, which searches for what a map preserves.
 
 use std::iter;
 use std::path::PathBuf;

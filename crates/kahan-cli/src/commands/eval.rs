@@ -1,4 +1,4 @@
-//! The command `kahan eval`: every object of a system at a point, in exact numbers or floats.
+//! The command `kahan eval`: the formulas of a system at a point, in exact numbers or floats.
 
 use std::iter;
 

@@ -1,4 +1,5 @@
-//! The command `kahan poles`, which finds the curves that a map contracts or sends to infinity.
+//! The command `kahan poles`, which follows the curves or surfaces that a map contracts or sends to
+//! infinity.
 
 use clap::Args;
 use kahan_draw::answer::poles;

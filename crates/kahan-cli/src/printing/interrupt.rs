@@ -1,6 +1,6 @@
 //! Removes unfinished files on SIGINT and SIGTERM, and ends the process with status 130 or 143.
 //!
-//! Only Unix has these signals. Other operating systems leave unfinished files behind.
+//! This works on Unix only. On other systems, an interrupt leaves unfinished files behind.
 
 use std::io;
 use std::path::PathBuf;

@@ -1,7 +1,8 @@
 //! Tables, labels and matrices that fit the screen.
 //!
-//! A wide table breaks between columns. On a terminal, formulas break before a term. Words and
-//! numbers are never broken.
+//! In a wide table, sentences are broken first. If this is not enough, it is split between columns,
+//! or each row becomes a list. On a terminal, formulas break before a term. Words and numbers are
+//! never broken.
 
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,5 @@
-//! Turns arguments into a [`Study`] of a field. A [`UsageError`] names the option to change.
+//! Turns arguments into a [`Study`] of a field. Most messages of a [`UsageError`] name the option
+//! to change.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};

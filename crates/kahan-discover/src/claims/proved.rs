@@ -1,7 +1,7 @@
 //! Writes formulas as claims in the language of `kahan!`, and proves them.
 //!
-//! A formula becomes a claim only if the prover accepts its text. If a theorem proves the formula,
-//! the text only has to equal the formula. All other formulas are dropped.
+//! A formula becomes a claim if the prover accepts its text. It also does if a theorem proves it
+//! and the text equals it up to sign. All other formulas are dropped.
 
 use std::slice::from_ref;
 

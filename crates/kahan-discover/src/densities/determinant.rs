@@ -1,4 +1,5 @@
-//! Computes det(I − ε f′) of a field f whose map has too many terms to be expanded.
+//! Computes det(I − ε f′) of a field f, times its denominators, even if the map has too many terms
+//! to be expanded.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{maximal_minors, scaled_matrix};

@@ -1,4 +1,5 @@
-//! Invariant densities from Darboux polynomials, from products of them, and from det(I − ε f′).
+//! Invariant densities from Darboux polynomials, from products of them, from det(I − ε f′), and
+//! from Pfaffians of brackets.
 
 pub mod darboux;
 pub(crate) mod density;

@@ -1,4 +1,4 @@
-//! Finds products of powers of given polynomials that have a given cofactor under the map.
+//! Finds invariant densities of the map that are products of powers of given polynomials.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;

@@ -1,10 +1,10 @@
 //! Lists the possible cofactors of polynomials under the map.
 //!
 //! Let the map of n states have the numerators Nᵢ and the denominator D. In homogeneous coordinates
-//! it is F = (N₁, …, Nₙ, D), of degree δ. Let P∘F = C·Q with homogeneous polynomials P and Q of
-//! degree d. Then C has degree d(δ − 1) and vanishes only on hypersurfaces that F contracts. So C
-//! is a product of factors of the Jacobian determinant of F, which has degree (n + 1)(δ − 1). The
-//! homogeneous coordinate x₀, which is 1 at finite points, may be one of these factors.
+//! it is F = (N₁, …, Nₙ, D), of degree δ. Let homogeneous polynomials of degree d without a
+//! common factor span a space V. Let P∘F = C·Q with Q in V for each P in V. Then C has degree
+//! d(δ − 1), and F contracts C = 0 to common zeros of V. So factors of C divide the Jacobian
+//! determinant of F, of degree (n + 1)(δ − 1). One may be x₀, which is 1 at finite points.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};

@@ -1,10 +1,11 @@
-//! Drifts: functions F whose value at the next point is F + c, c·F, or (aF + b)/(cF + d).
+//! Drifts: functions F whose value at the next point is F + c, c·F, or (aF + b)/(cF + d). The
+//! module `triangular` also finds next values that depend on integrals and earlier drifts.
 //!
 //! Let P be a vector of polynomials with P(x̃) = C(x)·M·P(x), for a matrix M and a scalar C, the
 //! cofactor. Then M acts on quotients of polynomials in the span of P. The search finds these spans
-//! modulo a prime, for each degree and cofactor. If a span has a function independent of integrals
-//! and earlier drifts, P and M are reconstructed over ℚ. The module `normal` finds drifts from the
-//! Jordan form of M. Each drift is proved as a claim.
+//! modulo a prime, for cofactors and degrees up to 4. If a span has a function independent of
+//! integrals and earlier drifts, P and M are reconstructed over ℚ. The module `normal` finds drifts
+//! from the Jordan form of M. Each drift is proved as a claim.
 
 mod cofactors;
 mod normal;

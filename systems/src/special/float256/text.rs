@@ -1,4 +1,6 @@
-//! Reads and writes [`Float256`] as decimals of any length, with one rounding.
+//! Reads and writes [`Float256`] as decimals, with one rounding. Reading also accepts fractions
+//! such as `3/7`. It refuses a decimal if the exponent of its last digit exceeds 100 000 in
+//! absolute value.
 
 use core::fmt;
 use core::str::FromStr;

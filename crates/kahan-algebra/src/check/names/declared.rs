@@ -1,5 +1,5 @@
-//! Collects the names of a block. States come from equations. Parameters come from the header, or
-//! from their use.
+//! Collects the names of a block. States come from equations. Parameters come from the header or,
+//! in a block without header, from their use.
 
 use rustc_hash::FxHashSet;
 

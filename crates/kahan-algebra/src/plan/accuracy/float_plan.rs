@@ -1,5 +1,6 @@
 //! Runs plans in floats with a given rounding. The macro runs this code at compile time, usually
-//! without optimisation. There iterators are slow, so this code uses plain loops.
+//! without optimisation. There chains of iterators are slow, so this code uses plain loops for each
+//! point.
 
 use kahan_program::Arithmetic;
 use kahan_syntax::rational::Rational;

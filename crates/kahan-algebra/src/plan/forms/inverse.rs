@@ -3,8 +3,8 @@
 //!
 //! The product with ε in 1 + 2εx delays the division, and therefore each step. In h + x, only the
 //! prepared constant h contains ε. If h is the only rounded constant, the step is exactly Kahan's
-//! map for a time step within half an ulp of 2ε. The form is undefined at ε = 0 and overflows near
-//! it. For these ε, the plan contains another form.
+//! map for a time step within one ulp of 2ε. The form is undefined at ε = 0 and overflows near it.
+//! For these ε, the plan contains another form.
 
 use kahan_syntax::rational::Rational;
 

@@ -1,8 +1,8 @@
 //! Chooses signs in a kernel, so that it has few subtractions and few negations. If a prepared
 //! constant a − b is computed as b − a, the signs of values that depend on it change.
 //!
-//! Rounding is symmetric, so no bit of x̃ changes. Similar components then have equal instructions,
-//! which compilers vectorise better.
+//! Rounding is symmetric, so x̃ stays the same, apart from the signs of zeros and infinities.
+//! Similar components then have equal instructions, which compilers vectorise better.
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 

@@ -3,7 +3,7 @@
 //! - `scaling` replaces products of ε with parameters and states by new variables.
 //! - `nesting` chooses the variable to factor out.
 //! - `factors` computes a common set of factors, and `numerators` orders multiplications.
-//! - `writer` writes a polynomial into a `draft` and reuses existing operations.
+//! - `writer` writes a polynomial into a `plan_draft` and reuses existing operations.
 
 pub(in crate::plan) mod factors;
 pub(in crate::plan) mod nesting;

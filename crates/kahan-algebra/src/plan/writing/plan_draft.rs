@@ -1,4 +1,4 @@
-//! A plan under construction. Values that are ready late are combined last.
+//! A plan under construction. Values that are ready late are usually combined last.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

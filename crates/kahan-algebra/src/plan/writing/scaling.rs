@@ -1,9 +1,9 @@
-//! Distributes powers of ε over the states and parameters of each term. Then ε²x²y becomes
-//! (εx)(εx)y.
+//! Distributes powers of ε over the states and parameters of each term. For example, ε²x²y may
+//! become (εx)(εx)y.
 //!
-//! If εx is computed first, terms need no product with ε, and no prepared constant other than ε is
-//! rounded. Scaled symbols such as εx are further variables, numbered after all symbols. Another
-//! variable is the [inverse time step](crate::plan::forms::inverse) 1/(2ε).
+//! If εx is computed first, terms need no product with ε, and few prepared constants are rounded.
+//! Scaled symbols such as εx are further variables, numbered after all symbols. Another variable is
+//! the [inverse time step](crate::plan::forms::inverse) 1/(2ε).
 
 use kahan_syntax::rational::Rational;
 

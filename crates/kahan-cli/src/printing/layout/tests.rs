@@ -1,4 +1,4 @@
-//! Tests that every line fits the width, or is a single word.
+//! Tests how tables, labels, matrices and formulas are broken into lines.
 
 use kahan_algebra::render::{folded, lines};
 

@@ -1,4 +1,4 @@
-//! Writes sums as sums of products, for example 1 − ε²(b² − ac)(gy + hz)² instead of its ten
+//! Writes sums as sums of products, for example 1 − ε²(b² − ac)(gy + hz)² instead of its seven
 //! expanded terms.
 //!
 //! A sum is split into groups by powers of ε or by a common factor. Each group is written

@@ -1,4 +1,5 @@
-//! Writes a polynomial P as Σ dₖ Fᵏ, where F is linear in a variable v and the dₖ do not contain v.
+//! Writes a polynomial P, up to a factor without states, as Σ dₖ Fᵏ, where F is linear in a
+//! variable v and the dₖ do not contain v.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
