@@ -1,4 +1,5 @@
-//! Compares each lane of every lane type with a float, and the estimated reciprocal with division.
+//! Compares each lane of the lane types that divide with a float, and the estimated reciprocal with
+//! division.
 
 use crate::ensemble::Level;
 use crate::ensemble::columns::{GROUP, Group};

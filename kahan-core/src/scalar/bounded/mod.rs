@@ -16,8 +16,9 @@
 //! - v = a·b: m = mₐ·m_b, k = kₐ + k_b + 1, since (1+γ_kₐ)(1+γ_k_b)(1+u) − 1 = γ_k.
 //! - v = a/b: m = (mₐ + |v̂|·m_b)/|b̂|, k = max(kₐ, k_b) + 1, because v̂ − v = [(â − a) − v(b̂ −
 //!   b)]/b̂ plus a rounding. If γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and the result
-//!   is `None`. If 1/|â| is known, as in 2/d or 2/d/d′, m is computed as |v̂|·(mₐ/|â| + m_b/|b̂|).
-//!   The sum in parentheses is stored for the next quotient.
+//!   is `None`. The result is also `None` if |b̂| is not above the smallest allowed divisor. If
+//!   1/|â| is known, as in 2/d or 2/d/d′, m is computed as |v̂|·(mₐ/|â| + m_b/|b̂|). The sum in
+//!   parentheses is stored for the next quotient.
 //!
 //! Wide numbers have an error radius, from which m and k follow.
 //!
