@@ -51,14 +51,14 @@
 //! magnitude m has the same bound. Let w operations of a formula possibly underflow, all inputs be
 //! at most 2ᴸ, and all their products at most 2ᴮ. Then these errors grow to at most w·2ᴮ·η. A sum
 //! has the larger w of its two terms, and adds 1 to B, which doubles the bound. A product or
-//! quotient has the sum of both w, plus 1. Every error includes the [allowance](number::Range).
-//! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. A quotient divides an
+//! quotient has the sum of both w, plus 1. Every error includes the [allowance](number::Range). If
+//! w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is at most the allowance, all underflow is covered. A quotient divides an
 //! error at most by the square of the smallest allowed divisor. Dividing a constant by ε multiplies
 //! it by at most 2 to the power [`bits_of_steps`](number::Range).
 //!
 //! The caller compares the inputs with the limit [`Bounded::largest_input`], which is known at
 //! compile time. The limit allows no input if operations and constants violate a premise, for
-//! example k·u ≤ 1/25. The limit allows every input if nothing can underflow.
+//! example k·u ≤ 1/25. The limit allows every input if the format cannot underflow.
 
 mod formats;
 mod known_bounds;
