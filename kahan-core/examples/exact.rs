@@ -1,7 +1,8 @@
 //! Exact orbits over big rationals, whose growing digits show whether the map has integrals.
 //!
-//! If integrals confine an orbit to a curve, the number of digits grows like the square of the
-//! number of steps. Otherwise each step doubles the number of digits.
+//! If integrals confine an orbit to a curve, the number of digits grows at most like the square of
+//! the number of steps. Otherwise it usually grows exponentially, here by a factor of about 2 in
+//! each step.
 
 use kahan_core::prelude::*;
 

@@ -1,7 +1,8 @@
 //! The interface for generated code, which is neither public nor stable and changes with the macro.
 //!
-//! Generated code names items of this crate through this module, and items of `core` by absolute
-//! paths. Therefore it works without a prelude, and beside user types called `Option` or `Clone`.
+//! Generated code names items of this crate through this module, and items of `core` through it or
+//! by absolute paths. Therefore it works without a prelude, and beside user types called `Option`
+//! or `Clone`.
 
 pub use core;
 pub use core::clone::Clone;

@@ -5,8 +5,8 @@
 //! Q(x,x̃) + ½B(x + x̃) + c. This equation is linear in x̃. The inverse map has −ε in place of ε.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
-//! `kahan-algebra` handles polynomials and claims at compile time. `kahan-dynamics` finds periodic
-//! points, settings for a tolerance, and accurate solutions of ẋ = f(x).
+//! `kahan-algebra` handles polynomials and claims. `kahan-dynamics` finds periodic points, settings
+//! for a tolerance, and accurate solutions of ẋ = f(x).
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -25,7 +25,7 @@
 //!
 //! # Every day
 //!
-//! `use kahan_core::prelude::*;` imports this part.
+//! `use kahan_core::prelude::*;` imports what this part needs, except the observers in [`observe`].
 //!
 //! | task | item |
 //! |---|---|
@@ -60,9 +60,9 @@
 //! | tangent vectors, an observer of your own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
 //! | orbits as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
 //!
-//! With the feature `serde` numbers, points, crossings and reports are serialisable. `serde_json`
-//! needs its feature `float_roundtrip` to read back every bit. Without default features the crate
-//! is `no_std`. Operations of float scalars allocate nothing.
+//! With the feature `serde` double-doubles, compositions, points, crossings and reports are
+//! serialisable. `serde_json` needs its feature `float_roundtrip` to read back every bit. Without
+//! default features the crate is `no_std`. Operations of float scalars allocate nothing.
 
 #![no_std]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]

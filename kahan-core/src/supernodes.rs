@@ -1,9 +1,9 @@
 //! Sparse LU elimination over floats by panels (supernodes). A panel is a block of consecutive rows
 //! with entries in the same columns to its right. SIMD lanes reduce these rows together.
 //!
-//! The order of operations, and therefore the bits, are those of [`Couplings::factor`]. On
-//! supernodes see J. W. H. Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993)
-//! 242–252.
+//! The order of operations, and therefore the bits, are those of [`Couplings::factor`], unless
+//! negligible entries are replaced by 0. On supernodes see J. W. H. Liu, E. G. Ng, B. W. Peyton,
+//! SIAM J. Matrix Anal. Appl. 14 (1993) 242–252.
 
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,7 @@
 //! The procedural macros behind `kahan_core::kahan!` and `include_kahan!`.
 //!
 //! Each macro passes its tokens to `kahan-emit`, and returns the tokens generated there. A
-//! proc-macro crate can export only macros, and therefore all other code is in `kahan-emit`.
+//! proc-macro crate can export only macros, and therefore the generator of code is in `kahan-emit`.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

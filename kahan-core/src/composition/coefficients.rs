@@ -1,4 +1,4 @@
-//! The coefficients of the compositions, with 40 digits after the point.
+//! The coefficients of the compositions: 1 for `KAHAN`, and otherwise 40 digits after the point.
 //!
 //! Newton's iteration on the order conditions refined the published coefficients, which have 20 to
 //! 26 digits. A test checks the order conditions, that the coefficients of each composition sum to

@@ -1,4 +1,4 @@
-//! Compositions: steps of higher order made of several Kahan steps.
+//! Compositions: steps made of Kahan steps, for a higher order. `KAHAN` is a single Kahan step.
 //!
 //! The inverse of a Kahan step φ_ε is φ₋ε. Therefore a composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with
 //! symmetric coefficients γᵢ of sum 1 is symmetric, too, and has an even order. The order is p if

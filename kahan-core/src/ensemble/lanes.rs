@@ -1,7 +1,7 @@
 //! SIMD lanes: several numbers in one register, used as one scalar.
 //!
-//! A computation that is generic over the lane type is compiled once for each instruction set. For
-//! a scalar without vector registers, a register has a single lane.
+//! A computation that is generic over the lane type is compiled for each instruction set. For a
+//! scalar without vector registers, a register has a single lane.
 
 use super::EnsembleScalar;
 use super::columns::Group;

@@ -1,8 +1,8 @@
-//! The loop of every ensemble, which runs over tiles, steps, stages and groups.
+//! The loop of ensembles with one map, which runs over tiles, steps, stages and groups.
 //!
-//! A tile is some groups of 16 trajectories, which stay in the first-level cache for all steps. A
-//! stage (a Kahan step of a composition) is one pass over the tile, in which the processor overlaps
-//! the operations of independent groups.
+//! A tile stays in the first-level cache for all its steps, unless a single group exceeds 16 KiB.
+//! Each stage of a step is one pass over the tile, in which the processor overlaps the operations
+//! of independent groups.
 
 use core::array::from_fn;
 

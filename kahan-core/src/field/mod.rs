@@ -1,6 +1,7 @@
 //! The vector field f, as four functions from which all formulas of the method follow.
 //!
-//! If coefficients of f depend on ε, these functions take the coefficients at ε = 0.
+//! If coefficients of f depend on ε, these functions take the coefficients at ε = 0, and `KahanMap`
+//! has functions for other ε.
 
 pub(crate) mod couplings;
 pub(crate) mod linear;

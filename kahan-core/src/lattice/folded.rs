@@ -1,4 +1,4 @@
-//! Solves a banded system, cyclic or not, by one elimination with partial pivoting.
+//! Solves a banded system, cyclic or not, by elimination with partial pivoting.
 //!
 //! A cyclic band of half-bandwidth h is an ordinary band of half-bandwidth 2h in the *folded* order
 //! 0, n−1, 1, n−2, …. If a ring is shorter than its band, entries of the band that have the same

@@ -1,5 +1,5 @@
-//! Computes a step of a chain by one elimination with numbers of many digits. Intermediate results
-//! may exceed the range of the scalar.
+//! Computes a step of a chain by elimination with numbers of many digits. Intermediate results may
+//! exceed the range of the scalar.
 
 use std::vec::Vec;
 

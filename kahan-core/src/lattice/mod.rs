@@ -1,9 +1,10 @@
 //! Chains of any number of sites. The equations of a site contain the states of a few neighbours.
 //!
-//! A family `for i in periodic { … }` gives the equations of one site. A(x,ε) is banded, with
-//! corners if the chain is periodic. A short chain is eliminated as a whole (`folded`). A long
-//! chain is divided into parts, which are eliminated in SIMD lanes and on threads (`parts`).
-//! `Kernels` selects the code for the family's sizes.
+//! A family `for i in … { … }` gives the equations of one site. A(x,ε) is banded, with corners if
+//! the chain is periodic. A long chain of `f32` or `f64` is divided into parts, which are
+//! eliminated in SIMD lanes, and with `parallel` on threads (`parts`). Other chains are eliminated
+//! as a whole (`folded`), and so are chains with too small pivots or without a kernel. `Kernels`
+//! selects the code for the family's sizes.
 
 mod at;
 

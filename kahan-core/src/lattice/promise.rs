@@ -1,8 +1,9 @@
 //! The step of a chain with a small backward error.
 //!
 //! A step succeeds if |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i. Row i of A has
-//! k entries, and u is the rounding unit. At most two steps of iterative refinement follow. Wider
-//! numbers with error bounds compute the residual b − A·x̃ as 2εf(x) − A·(x̃ − x).
+//! k entries, and u is the rounding unit. At most two steps of iterative refinement follow. Then
+//! chains of at most 4096 unknowns try an elimination with many digits. Wider numbers with error
+//! bounds compute the residual b − A·x̃ as 2εf(x) − A·(x̃ − x).
 
 use core::cell::Cell;
 use std::vec;

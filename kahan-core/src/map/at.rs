@@ -1,6 +1,7 @@
 //! A map prepared at a fixed ε.
 //!
-//! Steps take only a state. Steps over floats neither allocate nor dispatch.
+//! Steps take only a state. Over floats `step` neither allocates nor dispatches; `try_step` may
+//! allocate.
 
 use core::fmt;
 

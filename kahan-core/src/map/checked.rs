@@ -1,7 +1,8 @@
-//! The checked step, which implements `try_step` for handwritten maps and for exact scalars.
+//! The checked step, which implements `try_step` for handwritten maps, and for scalars other than
+//! `f32`, `f64` and `Dd`.
 //!
 //! A successful step returns a finite x̃ without an error bound. If the fast step overflows,
-//! elimination with partial pivoting is tried.
+//! elimination with partial pivoting is tried, unless it may overflow, too.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -1,6 +1,7 @@
 //! Kahan's map of a quadratic field and the objects derived from it.
 //!
-//! Every step runs a prepared step, which is generated code or an elimination. All other methods
+//! A step runs a prepared step, which is generated code, an elimination, or handwritten. Over
+//! floats `try_step` of generated code prepares its own steps. All other methods except `prepare`
 //! have defaults for any field, and the macro overrides some of these.
 
 mod at;

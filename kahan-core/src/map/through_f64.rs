@@ -1,4 +1,4 @@
-//! Steps on `f32` states that are computed in `f64`, with one rounding at the end.
+//! Steps on `f32` states that are computed in `f64`, each rounded at its end.
 
 use core::array::from_fn;
 #[cfg(feature = "std")]

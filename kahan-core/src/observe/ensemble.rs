@@ -1,7 +1,7 @@
 //! Observation of every trajectory of an ensemble.
 //!
 //! A group of trajectories takes a burst of steps, then the group's observers read the new points,
-//! and so on. Each of these two loops keeps its data in the first-level cache.
+//! and so on. For few variables, each of these two loops keeps its data in the first-level cache.
 
 use core::array::from_fn;
 use core::ops::ControlFlow;

@@ -1,7 +1,7 @@
 //! Lengths and products beyond the range of floats, as a mantissa and a power of two.
 //!
-//! Scaling by powers of two is exact. Therefore the bits of a report do not depend on the steps at
-//! which a vector is scaled.
+//! Scaling by powers of two is exact, unless an entry underflows. Therefore the bits of a report do
+//! not depend on the steps at which a vector is scaled.
 
 use core::cmp::Ordering;
 use core::f64::consts::{FRAC_1_SQRT_2, LN_2};

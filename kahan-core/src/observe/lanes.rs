@@ -1,7 +1,7 @@
 //! Tangent vectors of a group of trajectories, propagated in SIMD lanes.
 //!
 //! In each lane, the operations are those of a single trajectory, in the same order and not fused.
-//! Therefore the bits are equal on every instruction set.
+//! Therefore equal points give equal bits on every instruction set.
 
 use core::array::from_fn;
 

@@ -1,6 +1,7 @@
 //! Observers, which answer questions about an orbit while it runs, without storing it.
 //!
-//! Observers store only what their reports need, and allocate nothing while they observe a point.
+//! Observers store only what their reports need. On states of fixed size they allocate nothing
+//! while they observe a point; only closures may.
 //!
 //! ```
 //! use kahan_core::observe::{Drift, Extrema, Lyapunov};
@@ -33,9 +34,10 @@
 //! | a histogram of an observable | [`Residence`] |
 //! | the points themselves | [`Visit`] |
 //!
-//! Times are in steps. Exponents are per unit of time, where a step takes Δt = 2ε. Elementary
-//! functions come from the `libm` crate, so that equal points give equal bits on every machine.
-//! Observers of derivatives take the prepared map ([`TangentMap`]), by value or reference.
+//! Times are in steps, but crossings also have the time in units of t. Exponents are per unit of
+//! time, where a step takes Δt = 2ε. Elementary functions come from the `libm` crate, so that equal
+//! points give equal bits on every machine. Observers of derivatives take the prepared map
+//! ([`TangentMap`]), by value or reference.
 
 #[cfg(feature = "std")]
 mod burst;

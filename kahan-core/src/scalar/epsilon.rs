@@ -1,4 +1,4 @@
-//! Half time steps ε with so few bits that their powers are exact.
+//! Half time steps ε with so few bits that their squares and cubes are exact.
 
 use crate::FloatScalar;
 

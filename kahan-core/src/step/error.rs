@@ -1,4 +1,4 @@
-//! The error of a step that has no finite result.
+//! The error of a step that has no finite result, or none of proved accuracy.
 //!
 //! The error stores floats for every scalar, and therefore is `Copy`.
 

@@ -1,8 +1,9 @@
 //! Clebsch's case (1871) of a rigid body in an ideal fluid, with angular momentum m and linear
 //! momentum p. The block states Kirchhoff's equations with the energy
 //! `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2`. The flow has four quadratic integrals. The map has four
-//! integrals of higher degree (Petrera, Pfadler and Suris, arXiv:0808.3345). The block claims one
-//! of them, H. `kahan discover` finds the density, a second integral, and another formula for H.
+//! integrals (Petrera, Pfadler and Suris, arXiv:0808.3345). The block claims the density and one
+//! integral, H, a quotient of quadratic polynomials. `kahan discover` finds the density, a second
+//! integral, and another formula for H.
 
 use kahan_core::prelude::*;
 

@@ -1,9 +1,10 @@
 //! E9 of Hone and Petrera (Section 6.3), with the Lie-Poisson bracket of so(3) and one that depends
 //! on xi. At xi = 1 the system is E3, at xi = -1 it is E4, and the block claims all structures of
-//! these systems. For other xi, the number of digits of an exact point about triples in each step
-//! (Section 7). The block claims a density for every xi, which is not in the paper. The flow has
-//! the integrals `y x^(-xi)` and `(x^2 + y^2 + z^2)/2`. At xi = 1 the numerators and the
-//! denominator of the map have a common factor `1 + eps z`, which is cancelled in the map of E3.
+//! these systems. At xi = 0, y is constant and the map is integrable. For other xi, the number of
+//! digits of an exact point about triples in each step (Section 7). The block claims a density for
+//! every xi, which is not in the paper. The flow has the integrals `y x^(-xi)` and
+//! `(x^2 + y^2 + z^2)/2`. At xi = 1 the numerators and the denominator of the map have a common
+//! factor `1 + eps z`, which is cancelled in the map of E3.
 
 mod flow;
 mod quadrature;

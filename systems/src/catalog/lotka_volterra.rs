@@ -1,8 +1,8 @@
 //! The Lotka-Volterra system (Hone and Petrera, Section 1), with prey x and predators y. The flow
 //! has the bracket `{x,y} = x y`, and the transcendental integral `log(x y) - (x + y)`. The map
 //! preserves the bracket and the area `dx dy/(x y)` for every eps. The map has a rational integral
-//! H only for eps = 1 and eps = -1. For other eps, the number of digits of an exact point about
-//! doubles in each step (Section 7). At eps = 1 the x of an orbit satisfies
+//! H only for eps = 1 and eps = -1. For other nonzero eps, the number of digits of an exact point
+//! about doubles in each step (Section 7). At eps = 1 the x of an orbit satisfies
 //! `x_{n+1} x_{n-1} = x_n (2 - x_n)`, and an orbit alternates between two conics (erratum B8).
 
 use kahan_core::prelude::*;

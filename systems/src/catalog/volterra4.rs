@@ -1,6 +1,7 @@
 //! The periodic Volterra lattice with four sites. The flow has the integrals x + y + z + w, x z and
 //! y w. The map preserves the sum, the two products divided by polynomials that depend on eps, and
-//! the volume dx dy dz dw/(x y z w). Compositions of higher order preserve only the sum.
+//! the volume dx dy dz dw/(x y z w). Compositions of higher order preserve only the sum and the
+//! volume.
 
 use kahan_core::prelude::*;
 

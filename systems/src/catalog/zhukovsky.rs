@@ -1,7 +1,8 @@
 //! The Zhukovsky-Volterra top, which is a gyrostat. For generic coefficients, `kahan discover`
-//! finds no integral and no density up to degree 9. If one of b1, b2, b3 is zero, the map has an
-//! integral. If two of them are zero, the map has two integrals and a density. If all are zero, the
-//! system is the Euler top. The claims therefore have conditions on b1, b2, b3.
+//! finds no integral up to degree 9, and no density 1/P with P up to degree 8. If one of b1, b2, b3
+//! is zero, the map has an integral. If two of them are zero, the map has two integrals and a
+//! density. If all are zero, the system is the Euler top. The claims therefore have the conditions
+//! b3 = 0, or b3 = 0 and b2 = 0.
 
 use kahan_core::prelude::*;
 

@@ -1,6 +1,6 @@
-//! Families are systems with any number of sites, which is chosen at run time. Each file has a
-//! `kahan!` block, in which the preserved sums over all sites are claimed.
-//! `kahan discover --sites N` finds further integrals for N sites.
+//! Families are systems with any number of sites, which is chosen at run time. Each file of a
+//! family has a `kahan!` block, which claims the linear integrals and the Hamiltonian, if there are
+//! any. `kahan discover --sites N` searches for further integrals of N sites.
 
 mod kdv;
 mod species;

@@ -1,6 +1,7 @@
 //! Scratch memory of each thread.
 //!
-//! Vectors keep their capacity, so that on each thread only the first step of a map allocates.
+//! Vectors keep their capacity, so on each thread usually only the first step of a map allocates.
+//! Exchanges of rows in a sparse elimination of more than 200 variables also allocate.
 
 use core::cell::Cell;
 use std::thread::LocalKey;

@@ -271,9 +271,12 @@ fn too_large(plan: &Plan) -> Option<Misread> {
         format!("rows_per_part is at most {most} with {columns} columns, so that a part fits into memory")
     } else if plan.parts() > MOST_PARTS {
         let (parts, least) = (plan.parts(), plan.points().div_ceil(MOST_PARTS));
-        format!(
-            "{parts} parts are too many for one file, which has at most {MOST_PARTS}; write [output] rows_per_part = {least} or more"
-        )
+        let advice = if least <= most {
+            format!("write [output] rows_per_part = {least} or more")
+        } else {
+            format!("a sweep of {columns} columns has at most {} points", most.saturating_mul(MOST_PARTS))
+        };
+        format!("{parts} parts are too many for one file, which has at most {MOST_PARTS}; {advice}")
     } else {
         return None;
     };

@@ -1,4 +1,5 @@
-//! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of 64-bit Arm.
+//! Runs sweeps of ensembles, and `OverLanes` work such as elimination and chains, in the vector
+//! registers of 64-bit Arm.
 //!
 //! Every 64-bit Arm target with Rust's standard library has NEON. Each float type has two lane
 //! types, because `Level::Baseline` rounds multiply-adds twice, and `Level::Neon` once.

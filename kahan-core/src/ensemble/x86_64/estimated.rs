@@ -1,4 +1,5 @@
-//! AVX-512 lanes whose divisions start from a 14-bit estimate of 1/x.
+//! AVX-512 lanes whose reciprocals and quotients start from a 14-bit estimate of 1/x. The operator
+//! `/` divides.
 //!
 //! A division instruction would make the other operations of a step wait. Newton's iteration r +
 //! r·(1 − x·r) doubles the number of correct bits of r ≈ 1/x by two multiply-adds.

@@ -1,9 +1,10 @@
-//! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of x86-64.
+//! Runs sweeps of ensembles, and `OverLanes` work such as elimination and chains, in the vector
+//! registers of x86-64.
 //!
-//! SSE2 lanes are valid on every x86-64 processor. Other lanes exist only inside [`avx2`],
-//! [`avx512`], [`work_on_avx2`] and [`work_on_avx512`]. These functions are compiled for their
-//! instructions, and run after a check of the processor. The lane types are private, so that no
-//! other code can run these instructions on a processor that lacks them.
+//! SSE2 lanes are valid on every x86-64 processor. Outside tests, other lanes exist only inside
+//! [`avx2`], [`avx512`], [`work_on_avx2`] and [`work_on_avx512`]. These functions are compiled for
+//! their instructions, and run after a check of the processor. The lane types are private, so that
+//! no other code can run these instructions on a processor that lacks them.
 #![expect(unsafe_code, reason = "registers of vectors, entered after the processor was asked for them")]
 
 mod estimated;

@@ -1,4 +1,5 @@
-//! Checks that each SIMD lane computes as one float does, and estimated reciprocals against 1/x.
+//! Compares each lane of the lane types that divide with a float, and the estimated reciprocal with
+//! division.
 
 use crate::ensemble::Level;
 use crate::ensemble::columns::{GROUP, Group};

@@ -1,9 +1,10 @@
 //! The first pass, which eliminates the interiors of parts and leaves the Schur complements of the
 //! separators between parts.
 //!
-//! Each lane holds one part. The result for a part is its largest multiplier and 2S linear
-//! equations, where S is the number of unknowns of a separator. An equation has 2S coefficients and
-//! a right-hand side. The equations of the right separator precede those of the left.
+//! Each lane holds one part. The result for a part is the largest multiplier of its separators'
+//! rows, and 2S linear equations, where S is the number of unknowns of a separator. An equation has
+//! 2S coefficients and a right-hand side. The equations of the right separator precede those of the
+//! left.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;

@@ -2,7 +2,8 @@
 //!
 //! The first pass eliminates the interiors of the parts, and reduces the rows of the separators
 //! between parts to a small banded system. The second pass computes the interiors from the solution
-//! of this system. If an entry far exceeds a pivot, the chain is eliminated as a whole instead.
+//! of this system. If an entry far exceeds a pivot or a result is not finite, the chain is
+//! eliminated as a whole instead.
 
 mod buffer;
 mod first_pass;

@@ -1,8 +1,9 @@
 //! The division of a chain into parts, which affects the bits of a step.
 //!
 //! A part is a separator of R sites followed by an interior, where R is the reach. Groups have one
-//! part per lane, and all parts of a group have equal lengths. At least R sites at the end belong
-//! to no part; they are the right separator of the last part.
+//! part per lane of a 512-bit register, and all parts of a group have equal lengths. At least R
+//! sites at the end belong to no part; the first R of them are the right separator of the last
+//! part.
 
 /// The intended length of a part, much longer than its separator and short enough for a cache.
 const PART_LENGTH: usize = 256;

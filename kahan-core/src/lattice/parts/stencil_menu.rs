@@ -1,4 +1,5 @@
-//! Kernels for families read at run time, which use the first listed stencil that is large enough.
+//! Kernels for families read at run time, which use the first listed stencil of equal block and
+//! reach with sufficient bandwidths, if any.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;

@@ -2,8 +2,8 @@
 //!
 //! In every row i of the linear system A·x̃ = b, the result x̃ satisfies |A·x̃ − b|ᵢ ≤ (k +
 //! 8)·u·(|A|·|x̃| + |b|)ᵢ. A row of A has at most k entries, and u is the rounding unit. Residuals
-//! with error bounds prove the result. A residual b − A·x̃ is computed as 2εf − A·(x̃ − x), because
-//! these terms are small if ε is small.
+//! with error bounds prove the result, or error bounds of an elimination with many digits. A
+//! residual b − A·x̃ is computed as 2εf − A·(x̃ − x), because these terms are small if ε is small.
 
 use core::array::from_fn;
 

@@ -1,7 +1,8 @@
 //! Formulas as tables in postfix notation, evaluated by one loop.
 //!
-//! A table takes less code than straight-line operations. Therefore a step with error bounds
-//! evaluates f and f′ from tables. The macro orders the operands so that the stack stays short.
+//! A table takes less code than straight-line operations. Therefore residuals with error bounds and
+//! long eliminations evaluate f and f′ from tables. The macro orders the operands so that the stack
+//! stays short.
 
 use core::array::from_fn;
 

@@ -1,4 +1,5 @@
-//! Compensated orbits of floats. Each step starts from the point plus its stored rounding error.
+//! Compensated orbits of floats. Each step adds the increment at the point to the point plus its
+//! stored rounding error.
 
 use nalgebra::{ArrayStorage, SMatrix};
 

@@ -1,7 +1,8 @@
 //! The stable step, which proves a bound of its error.
 //!
-//! The result is an x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, where u is the rounding unit, or the
-//! reason for failure. Error bounds are computed at increasing precision levels.
+//! Over `f32`, `f64` and `Dd` the result is an x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, or the reason
+//! for failure. Here u is the rounding unit. Error bounds are computed at increasing precision
+//! levels.
 //!
 //! # Precision levels
 //! | level | numbers | suffices for |

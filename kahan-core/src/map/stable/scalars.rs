@@ -1,4 +1,4 @@
-//! The scalars with a stable step, and for each a wider scalar for precision level 2.
+//! The scalars with a stable step, and for `f32` and `f64` a wider scalar for precision level 2.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;

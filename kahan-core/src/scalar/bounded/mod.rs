@@ -16,8 +16,9 @@
 //! - v = a·b: m = mₐ·m_b, k = kₐ + k_b + 1, since (1+γ_kₐ)(1+γ_k_b)(1+u) − 1 = γ_k.
 //! - v = a/b: m = (mₐ + |v̂|·m_b)/|b̂|, k = max(kₐ, k_b) + 1, because v̂ − v = [(â − a) − v(b̂ −
 //!   b)]/b̂ plus a rounding. If γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and the result
-//!   is `None`. If 1/|â| is known, as in 2/d or 2/d/d′, m is computed as |v̂|·(mₐ/|â| + m_b/|b̂|).
-//!   The sum in parentheses is stored for the next quotient.
+//!   is `None`. The result is also `None` if |b̂| is not above the smallest allowed divisor. If
+//!   1/|â| is known, as in 2/d or 2/d/d′, m is computed as |v̂|·(mₐ/|â| + m_b/|b̂|). The sum in
+//!   parentheses is stored for the next quotient.
 //!
 //! Wide numbers have an error radius, from which m and k follow.
 //!
@@ -50,14 +51,14 @@
 //! magnitude m has the same bound. Let w operations of a formula possibly underflow, all inputs be
 //! at most 2ᴸ, and all their products at most 2ᴮ. Then these errors grow to at most w·2ᴮ·η. A sum
 //! has the larger w of its two terms, and adds 1 to B, which doubles the bound. A product or
-//! quotient has the sum of both w, plus 1. Every error includes the [allowance](number::Range).
-//! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. A quotient divides an
+//! quotient has the sum of both w, plus 1. Every error includes the [allowance](number::Range). If
+//! w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is at most the allowance, all underflow is covered. A quotient divides an
 //! error at most by the square of the smallest allowed divisor. Dividing a constant by ε multiplies
 //! it by at most 2 to the power [`bits_of_steps`](number::Range).
 //!
 //! The caller compares the inputs with the limit [`Bounded::largest_input`], which is known at
 //! compile time. The limit allows no input if operations and constants violate a premise, for
-//! example k·u ≤ 1/25. The limit allows every input if nothing can underflow.
+//! example k·u ≤ 1/25. The limit allows every input if the format cannot underflow.
 
 mod formats;
 mod known_bounds;

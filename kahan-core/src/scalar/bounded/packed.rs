@@ -1,4 +1,4 @@
-//! A float and its magnitude in one vector register. One instruction computes both.
+//! A float and its magnitude in one vector register. One instruction adds or multiplies both.
 
 use core::arch::x86_64::{
     __m128, __m128d, _mm_add_pd, _mm_add_ps, _mm_cvtsd_f64, _mm_cvtss_f32, _mm_move_ss, _mm_mul_pd,

@@ -1,7 +1,7 @@
 //! Double-double operations, each with its error bound in terms of u = 2⁻⁵³.
 //!
-//! Operands and results are normalised. Operations that may overflow or lose bits are left to
-//! `extremes`.
+//! Operands and results are normalised. Operations that may overflow are left to `extremes`, and so
+//! are quotients and roots that may lose bits. Products below 2⁻⁹⁶⁹ lose bits.
 
 use crate::scalar::bounded::power_of_two;
 

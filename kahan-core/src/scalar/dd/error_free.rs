@@ -1,7 +1,7 @@
 //! Error-free sums and products of two floats.
 //!
-//! A function returns the rounded result and its error. The sum of both is exact unless the result
-//! overflows or is a product below 2⁻⁹⁶⁹.
+//! The functions for sums and products return the rounded result and its error. The sum of both is
+//! exact unless the result overflows or is a product below 2⁻⁹⁶⁹.
 
 /// Returns the rounded sum and its error (Knuth).
 #[inline(always)]

@@ -1,6 +1,7 @@
 //! The operations on operands for which intermediate results would leave the range of `f64`.
 //!
-//! Finite operands are scaled exactly, by powers of two. Results beyond the range are infinite.
+//! Finite operands are scaled by powers of two, which is exact unless a part underflows. Results
+//! beyond the range are infinite.
 
 use crate::scalar::bounded::power_of_two;
 

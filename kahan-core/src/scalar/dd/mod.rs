@@ -1,8 +1,9 @@
 //! Double-double numbers: unevaluated sums of two `f64`, with about 32 decimal digits.
 //!
-//! The four operations, the square root, exponential and logarithm have relative errors from 3u²
-//! to 32u² for u = 2⁻⁵³. Sine and cosine have an additional error of 2⁻¹⁵⁵ of the argument. The
-//! exponent range is that of `f64`. Conversions from and to text round correctly.
+//! The four operations, the square root, exponential and logarithm have relative errors from 3u² to
+//! 32u² for u = 2⁻⁵³; products and quotients below 2⁻⁹⁶⁹ lose low bits. Sine and cosine have an
+//! additional error of 2⁻¹⁵⁵ of the argument. The exponent range is that of `f64`. Conversions from
+//! and to text round correctly.
 
 mod arithmetic;
 mod decimal;

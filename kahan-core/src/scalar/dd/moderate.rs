@@ -1,4 +1,5 @@
-//! The operations on numbers for which no intermediate result overflows or underflows.
+//! The operations on numbers for which no intermediate result overflows. Only products may
+//! underflow.
 
 use super::Dd;
 use super::error_free::{fast_two_sum, multiply_add, remainder, root, two_sum};

@@ -1,7 +1,7 @@
 //! Conversions between [`Digits`] and floats, double-doubles, integers and ratios.
 //!
-//! Conversions from floats and integers are exact. Conversions to floats round correctly, ties to
-//! even. Values beyond the range become ±∞, and undefined numbers become NaN.
+//! Conversions from floats and 64-bit integers are exact. Conversions to floats round correctly,
+//! ties to even. Values beyond the range become ±∞, and undefined numbers become NaN.
 
 use num_traits::Zero;
 

@@ -1,8 +1,8 @@
 //! Numbers of many digits on the heap, for the last precision level of a step.
 //!
 //! A step may need more than 17 × 64 bits if its matrix has entries of very different size and
-//! nearly singular blocks. An operation takes time quadratic in the number of digits. Therefore an
-//! elimination starts with few digits.
+//! nearly singular blocks. Products and quotients take time quadratic in the number of digits.
+//! Therefore an elimination starts with few digits.
 
 use std::boxed::Box;
 

@@ -2,7 +2,7 @@
 //!
 //! The numerator of a number is a [row](rows) of at most D nonzero digits to the base 2⁶⁴, and the
 //! denominator has 64 bits. Zero digits are not stored, because nonzero digits may be far apart.
-//! The *radius* bounds the sum of all digits that were cut off. Numbers beyond 2^(64·2⁴⁰),
+//! The *radius* bounds the sum of all digits that were cut off. Numbers beyond 2^(±64·2⁴⁰),
 //! non-finite floats and divisions by zero are *undefined*, and so are all results from them.
 
 mod arithmetic;

@@ -1,4 +1,5 @@
-//! The transcendental integrals of the map of E7, and its bracket with digamma functions.
+//! The integrals of the map of E7, which are transcendental for generic ξ, and its bracket with
+//! digamma functions.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 

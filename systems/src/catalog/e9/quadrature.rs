@@ -1,4 +1,4 @@
-//! The fixed points of E9, and its trajectories for ξ ≠ 0 with the time as an integral.
+//! Fixed points of E9, and its trajectories with ξ ≠ 0 and x, y > 0, with the time as an integral.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;

@@ -1,6 +1,6 @@
-//! Orbits and trajectories of the Euler top, derived from those of E4. In the coordinates (x − y,
-//! x + y, z), E4 is the Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of
-//! variables, such as permuting and scaling the axes.
+//! Orbits and trajectories of the Euler top with nonzero α of both signs, derived from those of E4.
+//! In the coordinates (x − y, x + y, z), E4 is the Euler top with α = (−1, −1, 1). Kahan's map
+//! commutes with linear changes of variables, such as permuting and scaling the axes.
 
 use kahan_core::nalgebra::SVector;
 

@@ -2,7 +2,8 @@
 //!
 //! The orbit takes ordinary steps while these preserve enough digits ([`memory`]). Near a pole, a
 //! step brings distant points together. There the orbit follows lines ([`passage`]) whose points
-//! depend on a small δ ([`delta_series`]), until points of different δ are apart again.
+//! depend on a small δ ([`delta_series`]), until points of different δ are apart again. From the
+//! twelfth step on, the passage ends at a finite point.
 
 mod delta_series;
 mod memory;

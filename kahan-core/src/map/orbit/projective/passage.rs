@@ -2,7 +2,8 @@
 //!
 //! A line consists of the points x + δv for one direction v. Each step solves A(x,ε)·x̃ = b(x,ε)
 //! over numbers that depend on δ. If two lines have one limit as δ → 0, this limit is the next
-//! point of the orbit. The passage ends after merged points are separate again.
+//! point of the orbit. Over floats a single line with δ = 0 is tried first. The passage ends after
+//! merged points are separate again, or after `MOST_STEPS` steps.
 
 use std::vec::Vec;
 

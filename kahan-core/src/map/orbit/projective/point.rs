@@ -1,4 +1,5 @@
-//! Points of projective space: the points of Tᴺ, and a point at infinity for each direction.
+//! Points of projective space: the points of Tᴺ, and a point at infinity for each pair of opposite
+//! directions.
 
 use nalgebra::SVector;
 

@@ -1,7 +1,7 @@
 //! Numbers that depend on a perturbation δ → 0, for orbits through poles.
 //!
-//! Over exact scalars the numbers are Laurent series in δ ([`series`]). Over floats δ is a number
-//! far below the last digits, and numbers have 17 × 64 bits ([`digits`]).
+//! Over exact scalars the numbers are Laurent series in δ ([`series`]). Over floats δ is at first
+//! 0, and then a number far below the last digits; numbers have up to 17 × 64 bits ([`digits`]).
 
 mod digits;
 #[cfg(feature = "exact")]
