@@ -2,8 +2,9 @@
 //!
 //! The input is a checked system. The output is a [`Report`] on growth of degrees, integrals,
 //! densities, Poisson brackets, drifts and Hamiltonian structure. The search computes modulo primes
-//! and interpolates along orbits. Each claim in a report is proved. A Hirota–Kimura [`Basis`]
-//! represents integrals with long formulas. Callers lay out the formulas and sentences of a report.
+//! and interpolates along orbits. Claims in a report are proved, and other results may only be
+//! observed. A Hirota–Kimura [`Basis`] represents integrals with long formulas. Callers lay out the
+//! formulas and sentences of a report.
 //!
 //! Modules in reading order: [`watch`], [`deadline`], [`modular`] (arithmetic), [`maps`],
 //! [`orbits`], [`integrals`], [`densities`], [`poisson`], [`drift`], [`claims`] (proof and text),

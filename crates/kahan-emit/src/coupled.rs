@@ -8,7 +8,8 @@
 //! }
 //! ```
 //!
-//! The size of the code grows with the number of nonzero entries of A(x,ε).
+//! The size of the code grows with the numbers of nonzero entries of A(x,ε) and of elimination
+//! steps.
 
 use kahan_algebra::elimination::{Couplings, Row};
 use kahan_algebra::plan::{Plan, variables};

@@ -4,7 +4,7 @@
 //! { use __kahan::Postfix::*; &[State(0), State(1), Multiply, Done, State(0), Negate, Done] }
 //! ```
 //!
-//! An operation that several results need is repeated for each of them.
+//! An operation is repeated for each of its uses.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};

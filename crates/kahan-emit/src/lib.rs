@@ -1,6 +1,6 @@
 //! Emits Kahan's map of a system as Rust.
 //!
-//! `kahan-algebra` reads a block of the language of `kahan!`, and plans every operation. This crate
+//! `kahan-algebra` reads a block of the language of `kahan!`, and plans its operations. This crate
 //! writes the map as tokens for the macro, or as formatted text. A block with a header expands to
 //!
 //! ```text
@@ -18,11 +18,11 @@
 //!
 //! A block without a header expands to
 //! `{ …the items of an anonymous type…; Field { mu: mu.clone() } }`. Mistakes become
-//! `compile_error!` next to a stand-in type, which prevents further errors.
+//! `compile_error!`, usually next to a stand-in type, which prevents further errors.
 //!
-//! Generated code names items of `kahan-core` through `__kahan` and prefixes bindings with `__`:
-//! state `x` is `__s_x`, and parameter `mu` is `__p_mu`. Without the prefix, a constant of the user
-//! with an equal name would be taken for a pattern.
+//! Generated code names items of `kahan-core` through `__kahan`. Bindings, except arguments such as
+//! `eps`, have the prefix `__`: state `x` is `__s_x`, and parameter `mu` is `__p_mu`. Without the
+//! prefix, a constant of the user with an equal name would be taken for a pattern.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

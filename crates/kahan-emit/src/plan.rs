@@ -1,4 +1,5 @@
-//! Emits a plan as Rust. A value used more than once, or nested too deeply, gets a `let`.
+//! Emits a plan as Rust. A value used more than once, or nested too deeply, gets a `let`, and so
+//! does a quotient in a kernel.
 //!
 //! ```text
 //! let __t_eps_x = __e_eps.get() * __s_x.clone();
@@ -6,7 +7,7 @@
 //! ```
 //!
 //! Values with a `let` and states of kernels are cloned at each use except the last. Other inputs,
-//! such as prepared constants, are always cloned. Operations keep the order of the plan.
+//! such as prepared constants, are always cloned. The `let`s keep the order of the plan.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};

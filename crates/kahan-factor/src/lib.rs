@@ -4,7 +4,8 @@
 //! resulting univariate image is factored (`univariate`), and its factors are lifted to the other
 //! variables (`multivariate`, `sparse`, `series`). Dividing the polynomial by the lifted factors
 //! proves them right. A factor with an irreducible image is irreducible. The numbers are random,
-//! and affect only the speed and the completeness of the result. A budget limits the work.
+//! and affect only the speed and the completeness of the result. A budget limits the work. Without
+//! enough budget, factors may be reducible.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

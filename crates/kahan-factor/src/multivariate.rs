@@ -4,7 +4,7 @@
 //! proves that the polynomial is irreducible. Otherwise the factors of the image are lifted modulo
 //! large primes until their product is the polynomial (Wang, "An improved multivariate polynomial
 //! factoring algorithm", Math. Comp. 32, 1978). Lifted factors are irreducible because their images
-//! are.
+//! are. After eight failed attempts the result is unknown.
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};

@@ -3,7 +3,7 @@
 //! A [`Program`] reads arrays of states and of constants. A [`Function`] runs it once, an [`Orbit`]
 //! or [`ComposedOrbit`] iterates it on one state, and a [`Sweep`] on many. The code computes in
 //! `f64` or `f32`, with scalars or SIMD vectors. Results equal those of generated Rust code bit for
-//! bit. Without the feature `pages` every program is refused.
+//! bit, except for NaN. Without the feature `pages` every program is refused.
 //!
 //! All `unsafe` code is in the modules `call`, `routine` and `pages`, and in a helper of the tests.
 

@@ -1,7 +1,8 @@
 //! Lowering of programs to machine operations.
 //!
-//! The lowered program has no duplicate or unneeded operations. If the code does not fuse
-//! multiply-adds, they become two operations. Results that are inputs or constants are copied.
+//! The lowered program has no duplicate operations, and no unneeded ones except constants. If the
+//! code does not fuse multiply-adds, they become two operations. Results that are inputs or
+//! constants are copied, unless a state may stay in place.
 
 use kahan_program::Operation::{
     Add, Call, Constant, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,

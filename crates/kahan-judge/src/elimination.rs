@@ -1,4 +1,4 @@
-//! Solves the equation A·x̃ = b of a Kahan step for its result x̃ in ball arithmetic.
+//! Solves the equation A·(x̃ − x) = 2εf of a Kahan step for its result x̃ in ball arithmetic.
 //!
 //! A pivot is an entry whose ball excludes 0. If a column has no pivot and is not known to be 0,
 //! the result is unknown. The caller then tries the next of the [`precisions`].

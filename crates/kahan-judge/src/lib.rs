@@ -1,8 +1,9 @@
-//! Tests single steps near the limits of float formats by exact arithmetic.
+//! Tests single steps by exact arithmetic, also near poles and near the limits of float formats.
 //!
 //! [`Extremes`] contains the settings. [`Judged`] contains, for each method such as `try_step`, the
 //! largest error, the number of failures that the method reported, and the number of wrong results
-//! that it did not report. A trial depends only on the seed and its index, not on threads.
+//! that it did not report. A trial depends on the settings, the systems and its index, not on
+//! threads.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

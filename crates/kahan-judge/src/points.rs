@@ -1,7 +1,8 @@
-//! Seeded random points. Each point depends only on the seed and the index of its trial.
+//! Seeded random points. Each point depends on the settings, the systems and the index of its
+//! trial, not on threads.
 //!
-//! Logarithms of absolute values are uniformly distributed. A quarter of the significands have few
-//! bits, so that exact poles occur.
+//! Logarithms of absolute values are mostly distributed about uniformly. A quarter of the
+//! significands have few bits, so that exact poles occur.
 
 use kahan_algebra::prime_field::SplitMix64;
 

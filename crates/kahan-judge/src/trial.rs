@@ -1,5 +1,5 @@
-//! A trial draws a random point, makes every kind of step from it, and compares the results with
-//! the exact step.
+//! A trial draws a random point, makes several kinds of steps from it, and compares the results
+//! with the exact step.
 
 use kahan_algebra::prime_field::SplitMix64;
 

@@ -1,4 +1,5 @@
-//! Writes products in LaTeX as the user wrote them.
+//! Writes products of expressions in LaTeX. Numbers are combined, and divisors stand below a
+//! fraction bar.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Precedence, at_least, written};

@@ -1,4 +1,4 @@
-//! Chooses a candidate for a lift, and one of its quadratic fields.
+//! Chooses a candidate for a lift, and one of its quadratic fields, perhaps with damping.
 
 use std::collections::BTreeSet;
 

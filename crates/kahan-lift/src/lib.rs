@@ -2,8 +2,9 @@
 //!
 //! The input is a block of equations with functions, quotients and powers. The output is a
 //! [`Lift`], a quadratic field in the states and in new variables. Each new variable stands for a
-//! function of the states. Formulas are exact. Floats serve to choose a lift, to compute initial
-//! values, and to project points onto relations. `kahan-algebra` finds what Kahan's map preserves.
+//! function of the states, or for the work of forces. Formulas are exact. Floats serve to choose a
+//! lift, to compute initial values, and to project points onto relations. `kahan-algebra` finds
+//! what Kahan's map preserves.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

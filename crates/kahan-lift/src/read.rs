@@ -1,8 +1,8 @@
 //! Parses expressions into Laurent polynomials in coordinates.
 //!
-//! Functions become coordinates. If a function occurs with arguments such as u/2 and u/3, one
-//! coordinate with the argument u/6 serves for both. The equations are read repeatedly until no
-//! coordinate's argument changes.
+//! Functions become coordinates. If exp, sin, cos, sinh or cosh occurs with arguments such as u/2
+//! and u/3, coordinates with the argument u/6 serve for both. The equations are read repeatedly
+//! until no coordinate's argument changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};

@@ -1,8 +1,8 @@
 //! The differential ring that the states and functions of the equations generate.
 //!
-//! Coordinates are the states and the functions in the equations. Derivatives of coordinates are
-//! Laurent polynomials in coordinates. Relations such as sin² = 1 − cos² rewrite monomials to a
-//! normal form.
+//! Coordinates are the states and the functions in the equations, and in some rings frequent sums.
+//! Derivatives of coordinates are Laurent polynomials in coordinates. Relations such as sin² = 1 −
+//! cos² rewrite monomials to a normal form.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 

@@ -1,7 +1,8 @@
 //! Rational integrals. They are found as quotients of polynomials that vanish on orbits
 //! ([`search`]), as coefficients of these polynomials (`relation_coefficients`), and as quotients
-//! of special elements P + cQ for an integral P/Q (`members`). The integrals are reconstructed over
-//! ℚ ([`reconstructed`]), simplified and proved (`accepted`).
+//! of special elements P + cQ for an integral P/Q (`members`). Integrals from theorems and modified
+//! Hamiltonians are candidates, too. The integrals are reconstructed over ℚ ([`reconstructed`]),
+//! simplified and proved (`accepted`).
 
 pub(crate) mod accepted;
 pub mod composition;

@@ -1,4 +1,4 @@
-//! Finds the sign changes of states that map orbits to orbits.
+//! Finds sign changes of states that map orbits to orbits.
 //!
 //! Let f(Sx) = ±S f(x) with S = diag(±1). Then the map φ satisfies φ(Sx) = Sφ(x) at ε or −ε, and S
 //! maps the closure of an orbit to the closure of another orbit. The sign of a monomial m is ±1 in

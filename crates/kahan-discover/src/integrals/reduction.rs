@@ -2,7 +2,7 @@
 //!
 //! Let M be a product of factors of known integrals with M(x̃)/M(x) = Q(x̃)/Q(x). Then M/Q is an
 //! integral. If P/M is constant on the zeros of a factor q of Q, then q divides αP − βM for some α
-//! and β without states.
+//! and β. Both contain no state except constant ones.
 
 use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;

@@ -1,7 +1,8 @@
 //! Kahan's map modulo a prime, with residues as parameters and ε.
 //!
 //! A step solves a linear system with the matrix A(x,ε) = I − ε f′(x). Points with singular A count
-//! as poles, even if the reduced map is defined there. A random point is almost never a pole.
+//! as poles, even if the reduced map is defined there. At random ε, a random point is almost never
+//! a pole.
 
 use crate::integrals::parity::sign_changes;
 use crate::maps::modular_step::ModularStep;

@@ -1,4 +1,4 @@
-//! Fields whose coefficients are polynomials in the parameters and ε.
+//! Fields whose coefficients are quotients of polynomials in the parameters and ε.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};

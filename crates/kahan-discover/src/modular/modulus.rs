@@ -1,4 +1,5 @@
-//! Arithmetic modulo a prime of 61 bits in Montgomery form: a residue a is stored as a·2⁶⁴ mod p.
+//! Arithmetic modulo a prime, usually of 61 bits, in Montgomery form: a residue a is stored as
+//! a·2⁶⁴ mod p.
 //!
 //! Stored residues are below p, so equal residues are equal numbers. Orbits, matrices and
 //! interpolations take millions of multiplications, for which 128-bit remainders would be too slow.

@@ -1,10 +1,10 @@
 //! Reconstructs rational functions over ℚ from values modulo primes.
 //!
-//! An [`Oracle`] returns values of functions f at values of the unknowns (parameters and ε). The
-//! degrees of f determine an ansatz N/D, whose coefficients solve the linear equations N = fD at
-//! sampled points. The Chinese remainder theorem turns coefficients modulo several primes into
-//! rational numbers. The result must agree with the oracle at a random point modulo an unused
-//! prime. Agreement is evidence but no proof.
+//! An [`Oracle`] returns values of functions f at values of the unknowns (parameters, ε, and
+//! constants of level sets). The degrees of f determine an ansatz N/D, whose coefficients solve the
+//! linear equations N = fD at sampled points. The Chinese remainder theorem turns coefficients
+//! modulo one or more primes into rational numbers. The result must agree with the oracle at a
+//! random point modulo a random prime. Agreement is evidence but no proof.
 
 use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;

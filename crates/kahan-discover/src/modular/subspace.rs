@@ -1,7 +1,7 @@
 //! Spaces of polynomials in the states, with bases in reduced echelon form on fixed monomials.
 //!
-//! The entries of the reduced basis are rational functions of the parameters and ε, which can be
-//! reconstructed.
+//! The entries of the reduced basis are rational functions of the parameters, ε, and constants of
+//! level sets.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;

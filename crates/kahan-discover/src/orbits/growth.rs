@@ -1,4 +1,4 @@
-//! Classifies the growth of the degrees of iterates by differences of degrees.
+//! Classifies the growth of the degrees of iterates by differences and ratios of degrees.
 
 use std::fmt;
 

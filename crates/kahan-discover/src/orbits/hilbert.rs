@@ -1,4 +1,4 @@
-//! The Hilbert function of a generic orbit, and the number of integrals that follows from it.
+//! The Hilbert function of a generic orbit, and the number of integrals that its relations show.
 
 use kahan_algebra::prime_field::SplitMix64;
 

@@ -1,4 +1,5 @@
-//! Finds the modified Hamiltonians of the map, one for each constant K with f = K∇H.
+//! Finds the modified Hamiltonians of the map, one for each constant K with f = K∇H that
+//! `hamiltonians` finds.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;

@@ -3,9 +3,9 @@
 //!
 //! A curve is *blown down* if its image has a lower dimension. This singularity is *confined* after
 //! k steps if the image after k steps is a curve again. Results must agree modulo two primes at
-//! random parameters, ε and points. Confinement alone proves nothing: Hietarinta and Viallet's map
-//! (Phys. Rev. Lett. 81, 1998) has confined singularities and is chaotic. The degrees of iterates
-//! are reported, too.
+//! random points, with random values of parameters and ε that are not fixed. Confinement alone
+//! proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett. 81, 1998) has confined
+//! singularities and is chaotic. The degrees of iterates are reported, too.
 
 pub(crate) mod curves;
 mod implied_degrees;

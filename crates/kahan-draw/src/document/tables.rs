@@ -1,4 +1,4 @@
-//! Tables of words and numbers.
+//! Tables of words, numbers and formulas.
 
 use maud::{Markup, Render, html};
 

@@ -1,5 +1,5 @@
 //! Draws labels. Single letters denote variables and are italic. Superscripts and subscripts are
-//! drawn as small digits, because some fonts lack these characters.
+//! drawn as small digits and signs, because some fonts lack these characters.
 
 use maud::{Markup, html};
 

@@ -1,4 +1,4 @@
-//! SVG elements with numbers rounded to tenths.
+//! SVG elements whose positions are rounded to tenths.
 
 use std::collections::HashSet;
 use std::fmt::Write as _;

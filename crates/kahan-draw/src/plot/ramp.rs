@@ -1,5 +1,6 @@
 //! The colour map viridis (Van der Walt and Smith, matplotlib 2015), from dark to light. Equal
-//! steps look about equally large, also in grey, and to readers who lack one kind of cones.
+//! steps look about equally large, also in grey. For readers without short-wave cones, steps in
+//! violet and blue are smaller.
 
 pub(super) type Rgb = [u8; 3];
 

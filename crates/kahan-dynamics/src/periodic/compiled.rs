@@ -1,5 +1,5 @@
-//! Derivatives of maps that `kahan!` generates. The Jacobian uses `f64`, and derivatives with
-//! respect to ε or a parameter use dual numbers.
+//! Derivatives of maps that `kahan!` generates. Maps in `f64` have a Jacobian. Maps in dual numbers
+//! also have derivatives with respect to ε or a parameter.
 
 use kahan_core::nalgebra::{DMatrix, SVector};
 

@@ -1,7 +1,7 @@
 //! A map in its own unit of length, so that tolerances do not depend on the caller's unit.
 //!
 //! Points are divided by a power of two near the size of a cycle, without rounding. The size of the
-//! scaled cycle is then about 1.
+//! scaled cycle is then usually about 1.
 
 use kahan_core::nalgebra::DMatrix;
 

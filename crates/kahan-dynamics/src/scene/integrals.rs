@@ -2,7 +2,8 @@
 //!
 //! In exact arithmetic the map preserves its integrals at every ε. Rounding a state changes an
 //! integral by about u·κ, with the unit roundoff u and the integral's condition number κ. These
-//! changes add up to about √n·u·κ after n steps (random walk), which must be within the tolerance.
+//! changes add up to about √n·u·κ after n steps (random walk). Twice this bound must be within the
+//! tolerance. Compensation lowers it.
 
 use kahan_core::nalgebra::SVector;
 

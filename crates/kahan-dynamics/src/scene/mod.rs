@@ -1,9 +1,9 @@
 //! The choice of an integrator for a scene: scalar, order, compensation and ε.
 //!
 //! The choice is the cheapest accurate [`Setting`], by a cost model of counted operations
-//! ([`cycles`]). Settings are run over the whole time and compared with the flow ([`trajectory`],
-//! [`search`]). No clock is used, so the choice is reproducible. The command `kahan trade` runs the
-//! search with measured prices.
+//! ([`cycles`]). For [`Need::Trajectory`], settings are run over the whole time and compared with
+//! the flow ([`trajectory`], [`search`]). No clock is used, so the choice is reproducible. The
+//! command `kahan trade` runs the search with measured prices.
 
 mod cycles;
 mod error;

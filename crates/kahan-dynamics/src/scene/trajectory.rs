@@ -1,9 +1,9 @@
 //! The cheapest setting that follows a trajectory.
 //!
 //! The solution ([`Flow`]) is computed in `f64`, and a second one from a nearby start shows how
-//! rounding errors grow. If these errors matter, the solution is computed in [`Dd`]. The measured
-//! error of a setting must be within the tolerance over the whole time. An orbit ten times as
-//! accurate as requested checks the solution.
+//! rounding errors grow. If these errors matter, or the tolerance is below 10⁻¹², the solution is
+//! computed in [`Dd`]. The measured error of a setting must be within the tolerance over the whole
+//! time. An orbit ten times as accurate as requested checks the solution.
 
 use kahan_core::nalgebra::SVector;
 

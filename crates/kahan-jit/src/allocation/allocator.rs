@@ -1,4 +1,5 @@
 //! Register allocation in one pass: gives each operation a register and a machine instruction.
+//! Inputs and constants are loaded only if needed.
 
 use kahan_program::Node;
 

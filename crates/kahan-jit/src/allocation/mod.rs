@@ -1,9 +1,9 @@
 //! Register allocation for straight-line code.
 //!
-//! A value stays in a register until its last use. If no register is free, the value with the
-//! farthest next use is spilled to the stack, which minimises loads (L. A. Belady, IBM Systems J. 5
-//! (1966) 78). Constants are read from memory, but a loop keeps its most used constants in
-//! registers that are otherwise unused.
+//! A computed value stays in a register until its last use, unless it is spilled. If no register is
+//! free, the value with the farthest next use leaves its register (L. A. Belady, IBM Systems J. 5
+//! (1966) 78). A value without a place in memory is stored on the stack. Constants are read from
+//! memory, but a loop keeps its most used constants in registers that are otherwise unused.
 
 mod allocator;
 mod moves;

@@ -1,4 +1,4 @@
-//! Code that iterates a program on one state, which stays in registers.
+//! Code that iterates a program on one state, which stays in registers if there are enough.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{FEWEST_REGISTERS, RoundPlan, ValueLocation};

@@ -1,7 +1,7 @@
 //! Random fields with extreme coefficients, which test error bounds far from ordinary numbers.
 //!
-//! Literals lie between 2^-1070 and 2^1020. Coefficients nearly cancel, and parameters and their
-//! differences occur as divisors.
+//! Literals lie between 2^-1070 and 2^1020. Some fields have coefficients that nearly cancel. Some
+//! have parameters, or polynomials in them, as divisors.
 
 use kahan_algebra::prime_field::SplitMix64;
 

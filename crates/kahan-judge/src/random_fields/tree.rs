@@ -1,4 +1,4 @@
-//! Expressions as trees, and their text without needless parentheses.
+//! Expressions as trees, and their text. Parentheses keep the structure of the tree.
 
 use std::fmt;
 

@@ -2,7 +2,8 @@
 //!
 //! Let φ be Kahan's map in two variables. Three quadratic forms Φ on ℙ² define φ, so the iterates
 //! have degrees dₖ = deg φᵏ ≤ 2ᵏ. The function `growth` proves exponential growth by one large
-//! degree or by the module `stability`. The function `linear` excludes integrals by linear growth.
+//! degree or by the module `stability`. The function `linear` excludes integrals by observed linear
+//! growth and a drift of infinite order.
 
 mod stability;
 

@@ -3,7 +3,8 @@
 //! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant if J P(x) Jᵀ = P(x̃) for J = ∂x̃/∂x. This condition is
 //! linear in the coefficients of P, and Jacobi's identity is quadratic. If elements of a basis and
 //! sums of two of them satisfy Jacobi's identity, so do all linear combinations. A sum may have a
-//! higher rank than its summands. The search ends at the degree of the first bracket of full rank.
+//! higher rank than its summands. The search ends with the degree of the first new bracket of full
+//! rank, and with degree 4 at the latest.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;

@@ -1,8 +1,9 @@
-//! The order in which [`Scene::choose`](crate::Scene::choose) tries settings.
+//! The order in which [`Scene::choose`](crate::Scene::choose) tries settings for a trajectory.
 //!
-//! For each order, larger and larger numbers of steps are tried in plain `f64`
-//! ([`refine_steps`](Search::refine_steps)). An independent orbit in `Dd` then checks the flow
-//! ([`confirm`](super::confirm)), and [`Search::refine`] minimises the cost.
+//! From the highest order on, larger and larger numbers of steps are tried in plain `f64`
+//! ([`refine_steps`](Search::refine_steps)). Rounding errors lead to other schemes, and may end
+//! these trials. After the first success, an orbit in `Dd` checks the flow
+//! ([`confirm`](super::confirm)). At the end [`Search::refine`] minimises the cost.
 
 use kahan_core::Composition;
 

@@ -7,8 +7,8 @@
 //! # Method
 //!
 //! [`refine_steps`](Search::refine_steps) tries larger and larger numbers of steps of one scheme.
-//! [`refine`](Search::refine) searches between the last failure and the first success. The law
-//! error ∝ ε^order only proposes trials.
+//! [`refine`](Search::refine) searches between the scheme's last failure and the cost of the best
+//! setting. The law error ∝ ε^order proposes trials and ends hopeless ones.
 
 mod choose;
 mod confirmation;

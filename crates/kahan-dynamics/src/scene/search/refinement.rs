@@ -1,8 +1,8 @@
 //! Trials of a scheme with larger and larger numbers of steps.
 //!
-//! The trials stop if one meets the tolerance, or if a further one costs more than a known setting.
-//! They also stop if the law error ∝ ε^order predicts such a cost, or if two successive trials gain
-//! nothing because of rounding errors.
+//! The trials stop if one meets the tolerance, or if a further one costs more than a known setting
+//! or takes too long. They also stop if the law error ∝ ε^order predicts such a cost, or if two
+//! successive trials gain nothing because of rounding errors. A scheme has at most 34 trials.
 
 use kahan_core::Composition;
 

@@ -1,8 +1,8 @@
 //! An assembler for x86-64.
 //!
 //! The assembler writes AVX and FMA instructions. Registers from the seventeenth on, and registers
-//! of 512 bits, need AVX-512F and AVX-512VL (Intel, Software Developer's Manual, volume 2).
-//! Functions follow the calling convention of System V.
+//! of 512 bits, need AVX-512F (Intel, Software Developer's Manual, volume 2). Less than 512 bits of
+//! the former need AVX-512VL, too. Functions follow the calling convention of System V.
 
 mod encoding;
 mod general;
