@@ -1,6 +1,7 @@
 //! Scratch memory of each thread.
 //!
-//! Vectors keep their capacity, so that on each thread only the first step of a map allocates.
+//! Vectors keep their capacity, so that later steps of a map on the same thread seldom allocate.
+//! Sparse elimination with row exchanges allocates each time.
 
 use core::cell::Cell;
 use std::thread::LocalKey;
