@@ -5,7 +5,7 @@
 //!
 //!   Λ = ∂G/∂w − g′(x) · ∂F/∂w
 //!
-//! A lift is stable if, up to t = 100, they grow at most 10-fold and at a mean rate up to 0.01.
+//! A lift is stable if, up to t = 100, errors grow at most 10-fold and at a mean rate up to 0.01.
 
 use crate::embedding::Builder;
 use crate::energy::slopes;

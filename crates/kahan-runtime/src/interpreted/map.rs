@@ -2,7 +2,7 @@
 //!
 //! In: a state, and ε. Out: x̃, its Jacobian, integrals and so on. Programs compute them. If a
 //! program would be too long, linear algebra with A(x,ε) = I − εf′(x) gives x̃, its Jacobian and
-//! det A. Dual numbers give the Jacobian of short steps.
+//! det A. Dual numbers give the Jacobian if the step has a program.
 
 use std::marker::PhantomData;
 use std::sync::Arc;
