@@ -1,4 +1,5 @@
-//! The journal of an unfinished part. After an interruption, recorded rows are not computed again.
+//! The journal of an unfinished part. After an interruption, recorded rows are not computed again,
+//! except in overlapping records.
 //!
 //! Each process appends records of finished rows to its own file. Readers stop at an incomplete or
 //! damaged record, and skip records of another plan, version or floating-point mode. The files are
