@@ -1,6 +1,7 @@
-//! Does the work of `run.py` in Rust. `each STEPS` asks for all points of an orbit, `last STEPS`
-//! for the last point, `ensemble TRAJECTORIES STEPS THREADS` for the last points of many orbits.
-//! The answer is the time in seconds, and the last coordinate z.
+//! Does three tasks of `run.py` in Rust, which it reads from standard input. `each STEPS` asks for
+//! all points of an orbit, `last STEPS` for the last point, `ensemble TRAJECTORIES STEPS THREADS`
+//! for the last points of many orbits. The answer is the time in seconds, and the last coordinate
+//! z.
 
 use std::error::Error;
 use std::io::stdin;

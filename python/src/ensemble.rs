@@ -1,4 +1,4 @@
-//! Follows many trajectories, on all processors.
+//! Follows many trajectories, by default on all processors.
 
 use std::mem::discriminant;
 use std::num::NonZeroU64;

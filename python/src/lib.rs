@@ -1,7 +1,8 @@
 //! The interface between Python and the libraries.
 //!
-//! Questions and answers are JSON ([`kahan_study::Question`]). Steps, orbits and ensembles take and
-//! return NumPy arrays. Python files in `kahan/` add named results, SymPy formulas and plots.
+//! Questions are JSON ([`kahan_study::Question`]); answers are JSON, or arrays for tables. Steps,
+//! orbits and ensembles take and return NumPy arrays. Python files in `kahan/` add named results,
+//! SymPy formulas and plots.
 
 mod arrays;
 mod arrow;

@@ -1,4 +1,5 @@
-//! Tables of answers as arrays, one array for each column.
+//! Tables of answers, with an array for each column of floats or counts, and a list for each other
+//! column.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{ColourColumn, Exact, Question, StoredColumn, Table};

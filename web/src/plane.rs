@@ -1,4 +1,5 @@
-//! Computes the field in a plane, the integrals of the map there, and the equilibria.
+//! Computes the field in a plane, the integrals of the map there, and up to 12 equilibria of the
+//! field. For lifts with new variables, no equilibria are sought.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Orbit, Study, StudyError};

@@ -1,9 +1,10 @@
 //! Searches for a smallest set of monomials that makes the equations quadratic.
 //!
-//! A set of variables is closed if each monomial in their derivatives is 1, a variable, a product
-//! of two variables, or, because of relations, a combination of these. Iterative deepening tries
-//! all ways to write one missing monomial. If it takes too long, local changes improve the result
-//! of a greedy search. Neither search reads a clock, so results are reproducible.
+//! A set of variables is closed if it covers each monomial in the derivatives. Covered are 1,
+//! variables, products of two variables, and, because of relations, combinations of these.
+//! Iterative deepening tries ways to write one missing monomial, with bounded exponents. If it
+//! takes too long, local changes improve the result of a greedy search. Neither search reads a
+//! clock, so results are reproducible.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;

@@ -1,11 +1,11 @@
 //! Computes the growth of errors of a lift's relations along an orbit.
 //!
 //! Let x′ = F(x,w), w′ = G(x,w) be a lifted field with states x and new variables w = g(x). Along
-//! the orbit, small errors r = w − g(x) satisfy r′ = Λ r with
+//! the orbit, small errors r = w − g(x) satisfy, to first order, r′ = Λ r with
 //!
 //!   Λ = ∂G/∂w − g′(x) · ∂F/∂w
 //!
-//! A lift is usable if these errors stay bounded.
+//! A lift is stable if, up to t = 100, errors grow at most 10-fold and at a mean rate up to 0.01.
 
 use crate::embedding::Builder;
 use crate::energy::slopes;

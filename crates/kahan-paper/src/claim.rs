@@ -1,4 +1,5 @@
-//! Claims: formulas of the paper, each with its place, its statement and the method that proves it.
+//! Claims: formulas of the paper and of further systems. Each has a statement, the method that
+//! establishes it, and a place in the paper if known.
 
 use kahan_algebra::rational::Rational;
 

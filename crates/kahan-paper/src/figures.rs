@@ -1,4 +1,5 @@
-//! The exact orbits of the paper's figures, and the heights (sizes of fractions) of their points.
+//! The exact orbits of the paper's figures and further exact orbits, with the heights (sizes of
+//! fractions) of their points.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;

@@ -1,4 +1,4 @@
-//! Computes the limit C₁ of h(xₙ)/n on orbits of dE7 and dE8, where h is the logarithmic height.
+//! Computes the limit C₁ of h(yₙ)/n on orbits of dE7 and dE8, where h is the logarithmic height.
 
 use kahan_algebra::rational::Rational;
 

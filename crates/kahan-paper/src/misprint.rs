@@ -1,4 +1,5 @@
-//! Refutes misprinted formulas at an exact point.
+//! Refutes misprinted formulas at a given point or by a measured orbit. A misprinted `!=` is
+//! refuted if both sides are one function.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! Prepares catalog systems for evaluation.
+//! Prepares the systems of the catalog and the fields with generic coefficients for evaluation.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual, solve};
 use kahan_algebra::lexer::lex;

@@ -1,4 +1,5 @@
-//! The list of all claims of the paper, and the choice of the method that establishes each claim.
+//! The list of all claims of the paper and of further systems, and the check of each claim by its
+//! method.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;

@@ -1,4 +1,4 @@
-//! Builds programs without common subexpressions, simplified by rules that hold in every field.
+//! Builds programs without repeated operations, simplified by rules that hold in every field.
 
 use alloc::vec::Vec;
 use core::convert::Infallible;

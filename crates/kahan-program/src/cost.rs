@@ -1,6 +1,6 @@
 //! Computes the cost of a program: operation counts and critical path.
 //!
-//! Latencies are those of x86-64 cores of the last ten years, in cycles. A multiply-add takes one
+//! Latencies are typical of x86-64 cores of the last ten years, in cycles. A multiply-add takes one
 //! cycle more than an addition. [`Program::fused`] does not fuse an addition if this lengthens the
 //! critical path.
 

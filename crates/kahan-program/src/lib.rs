@@ -1,9 +1,9 @@
-//! Straight-line programs: lists of operations without branches. Each operation reads results of
-//! earlier operations.
+//! Straight-line programs: lists of operations without branches. Operations read only inputs,
+//! constants and results of earlier operations.
 //!
-//! A [`Builder`] eliminates common subexpressions and yields a [`Program`]. A program runs in any
-//! [`Arithmetic`], can be printed as text, and is the input of compilers. The types of inputs,
-//! constants and functions are type parameters.
+//! A [`Builder`] adds each operation once and yields a [`Program`]. A program runs in any
+//! [`Arithmetic`] with its constants and functions, can be printed as text, and is the input of
+//! compilers. The types of inputs, constants and functions are type parameters.
 
 #![no_std]
 

@@ -1,4 +1,4 @@
-//! Runs programs over exact fractions, residues and floats.
+//! Builds, writes, fuses and joins programs, and runs them over residues modulo 7.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;

@@ -1,4 +1,4 @@
-//! Times the paper's Diophantine tests, and prints the best of three times.
+//! Times four Diophantine tests of the paper, and prints the best of three times for each.
 //!
 //! `cargo run --release -p kahan-runtime --example heights_speed`
 

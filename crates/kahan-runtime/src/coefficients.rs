@@ -1,4 +1,5 @@
-//! Fields given by their coefficients: arrays c, B and Q of the field ẋ = c + Bx + Q(x, x).
+//! Fields ẋ = c + Bx + Q(x, x) given by their coefficients: as arrays c, B and Q, or one by one. A
+//! coefficient given singly may have a parameter as factor.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! The error for arguments with a wrong number of entries.
+//! The error for arguments with a wrong number of entries, or for a field with too many variables.
 
 use core::fmt;
 

@@ -1,4 +1,5 @@
-//! The errors of a study. Each user interface composes its messages from the variants' values.
+//! The errors of a study. The messages are composed here; a user interface supplies the spelling of
+//! the options in them.
 
 use std::fmt;
 

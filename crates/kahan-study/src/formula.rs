@@ -1,7 +1,7 @@
-//! Formulas as straight-line programs. A formula's variables are those of a field, or the index i
-//! of a chain's site.
+//! Formulas as straight-line programs. A formula's variables are those of a field with its
+//! integrals, or the index i of a chain's site.
 //!
-//! A program performs the operations as written, and computes each common subexpression once. A
+//! A program performs the operations as written, and computes each repeated operation once. A
 //! [`Formula`] runs in doubles, [`Formulas`] in doubles, single precision and fractions.
 
 mod lanes;

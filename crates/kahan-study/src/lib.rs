@@ -1,9 +1,9 @@
 //! Questions about a field and its Kahan map, and the answers, as values.
 //!
 //! A [`Study`] is a [`Subject`] that was read: a field with values of its parameters. Any thread
-//! may ask a study a [`Question`]. The [`Answer`] serializes to the JSON that the command prints.
-//! Reference trajectories of the flow are in [`mod@reference`], and comparisons of settings by
-//! error and cost in [`trade`].
+//! may ask a study a [`Question`]. The [`Answer`] serializes to JSON, as the command prints it
+//! unless rows go to a file. Reference trajectories of the flow are in [`mod@reference`], and
+//! comparisons of settings by error and cost in [`trade`].
 //!
 //! # Example
 //!

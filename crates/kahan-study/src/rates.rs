@@ -1,7 +1,8 @@
 //! Checks whether steps resolve the fast components of a field.
 //!
 //! Kahan's map multiplies a component of rate λ by (1 + ελ)/(1 − ελ), which is close to exp(2ελ)
-//! only for small |2ελ|. From |2ελ| = 2 on, a decaying component changes sign in each step.
+//! only for small |2ελ|. For λ < −1/ε, where |2ελ| > 2, a decaying component changes sign in each
+//! step.
 
 use kahan_runtime::MapAt;
 

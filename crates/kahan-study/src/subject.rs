@@ -1,4 +1,5 @@
-//! The subject of a question: a field, parameter values, and the number of sites of a family.
+//! The subject of a question: a field, parameter values, the number of sites of a family, and
+//! options such as a lift.
 
 use std::collections::BTreeMap;
 

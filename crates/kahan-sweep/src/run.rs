@@ -1,4 +1,5 @@
-//! Computes a shard. The parts of the shard are computed one after another, each on all threads.
+//! Computes a shard. The missing and damaged parts of the shard are computed one after another,
+//! each on all threads of the process.
 
 use std::io;
 use std::ops::{ControlFlow, Range};

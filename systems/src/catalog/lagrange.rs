@@ -1,13 +1,13 @@
-//! The Lagrange top with direction p of gravity, angular velocity (m1, m2, al m3) and angular
-//! momentum M = (m1, m2, (2 al - 1) m3). With `d = al (al-1) m3^2 - g p3`, `w = m1 v1 + m2 v2`,
-//! `v = (1-al) m3 (m1,m2) + g (p1,p2)` and `D1 = 1 + eps^2 d`, the map preserves m3 and
+//! The Lagrange top in the body frame, with angular momentum m, angular velocity (m1, m2, al m3) and
+//! direction p of gravity. With `d = al (1-al) m3^2 - g p3`, `v = (al-1) m3 (m1,m2) + g (p1,p2)`,
+//! `w = m1 v1 + m2 v2`, `M = (2 al - 1) m3` and `D1 = 1 + eps^2 d`, the map preserves m3 and
 //!
 //! - `H = m1^2 + m2^2 - 2 d - eps^2 |v|^2`,
-//! - `J = (w - m3 d)/D1`,
-//! - `C = (|v|^2 + d^2 + eps^2 J^2)/(1 + eps^2 (m1^2 + m2^2) + eps^2 (m3 + eps^2 J)^2)`.
+//! - `J = (w - M d)/D1`,
+//! - `C = (|v|^2 + d^2 + eps^2 J^2)/(1 + eps^2 (m1^2 + m2^2) + eps^2 (M + eps^2 J)^2)`.
 //!
 //! The density is `1/(D1 F)`, where F is the denominator of C. At eps = 0 the integrals H, J and C
-//! are functions of the energy, M·p, p·p and m3.
+//! are functions of the energy, m·p, p·p and m3.
 
 use kahan_core::prelude::*;
 
@@ -23,25 +23,25 @@ kahan! {
         g
     }
 
-    m1dot = (1 - al)*m2*m3 + g*p2;
-    m2dot = (al - 1)*m1*m3 - g*p1;
+    m1dot = (al - 1)*m2*m3 + g*p2;
+    m2dot = (1 - al)*m1*m3 - g*p1;
     m3dot = 0;
     p1dot = al*p2*m3 - p3*m2;
     p2dot = p3*m1 - al*p1*m3;
     p3dot = p1*m2 - p2*m1;
 
-    integral H = m1^2 + m2^2 - 2*(al*(al - 1)*m3^2 - g*p3)
-        - eps^2*(((1 - al)*m3*m1 + g*p1)^2 + ((1 - al)*m3*m2 + g*p2)^2);
-    integral J = ((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2) - m3*(al*(al - 1)*m3^2 - g*p3))
-        /(1 + eps^2*(al*(al - 1)*m3^2 - g*p3));
-    integral C = ((1 + eps^2*(al*(al - 1)*m3^2 - g*p3))^2
-            *(((1 - al)*m3*m1 + g*p1)^2 + ((1 - al)*m3*m2 + g*p2)^2 + (al*(al - 1)*m3^2 - g*p3)^2)
-        + eps^2*((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2) - m3*(al*(al - 1)*m3^2 - g*p3))^2)
-        /((1 + eps^2*(al*(al - 1)*m3^2 - g*p3))^2*(1 + eps^2*(m1^2 + m2^2))
-        + eps^2*(m3 + eps^2*((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2)))^2);
-    density rho = (1 + eps^2*(al*(al - 1)*m3^2 - g*p3))
-        /((1 + eps^2*(al*(al - 1)*m3^2 - g*p3))^2*(1 + eps^2*(m1^2 + m2^2))
-        + eps^2*(m3 + eps^2*((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2)))^2);
+    integral H = m1^2 + m2^2 - 2*(al*(1 - al)*m3^2 - g*p3)
+        - eps^2*(((al - 1)*m3*m1 + g*p1)^2 + ((al - 1)*m3*m2 + g*p2)^2);
+    integral J = ((al - 1)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2) - (2*al - 1)*m3*(al*(1 - al)*m3^2 - g*p3))
+        /(1 + eps^2*(al*(1 - al)*m3^2 - g*p3));
+    integral C = ((1 + eps^2*(al*(1 - al)*m3^2 - g*p3))^2
+            *(((al - 1)*m3*m1 + g*p1)^2 + ((al - 1)*m3*m2 + g*p2)^2 + (al*(1 - al)*m3^2 - g*p3)^2)
+        + eps^2*((al - 1)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2) - (2*al - 1)*m3*(al*(1 - al)*m3^2 - g*p3))^2)
+        /((1 + eps^2*(al*(1 - al)*m3^2 - g*p3))^2*(1 + eps^2*(m1^2 + m2^2))
+        + eps^2*((2*al - 1)*m3 + eps^2*((al - 1)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2)))^2);
+    density rho = (1 + eps^2*(al*(1 - al)*m3^2 - g*p3))
+        /((1 + eps^2*(al*(1 - al)*m3^2 - g*p3))^2*(1 + eps^2*(m1^2 + m2^2))
+        + eps^2*((2*al - 1)*m3 + eps^2*((al - 1)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2)))^2);
 }
 
 /// The entry of the Lagrange top in the catalog.

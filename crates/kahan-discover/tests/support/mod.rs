@@ -25,7 +25,7 @@ pub(crate) const EULER: &str = "xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;";
 pub(crate) const LOTKA_VOLTERRA: &str = "xdot = x*(1 - y); ydot = y*(x - 1);";
 pub(crate) const WEIERSTRASS: &str = "xdot = y; ydot = 6*x^2 - a;";
 pub(crate) const VOLTERRA: &str = "xdot = x*(y - z); ydot = y*(z - x); zdot = z*(x - y);";
-pub(crate) const LAGRANGE: &str = "m1dot = (1 - al)*m2*m3 + g*p2; m2dot = (al - 1)*m1*m3 - g*p1; m3dot = 0; \
+pub(crate) const LAGRANGE: &str = "m1dot = (al - 1)*m2*m3 + g*p2; m2dot = (1 - al)*m1*m3 - g*p1; m3dot = 0; \
     p1dot = al*p2*m3 - p3*m2; p2dot = p3*m1 - al*p1*m3; p3dot = p1*m2 - p2*m1;";
 pub(crate) const HENON_HEILES: &str = "xdot = p; ydot = q; pdot = -a*x - 2*x*y; qdot = -b*y - x^2 + c*y^2;";
 pub(crate) const LORENZ: &str = "xdot = s*(y - x); ydot = x*(r - z) - y; zdot = x*y - b*z;";

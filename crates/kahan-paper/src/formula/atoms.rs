@@ -1,8 +1,9 @@
 //! Replaces transcendental functions in formulas by independent variables.
 //!
-//! If v, w, … are independent, no polynomial over ℚ vanishes at exp v, log v, v^w, tan(v/2), …. So
-//! an identity that is rational in these functions holds if and only if it holds with new variables
-//! in their place.
+//! If v, w, … are independent, only the polynomial 0 over ℚ vanishes at exp v, log v, v^w,
+//! tan(v/2), …. Then an identity that is rational in these functions holds if and only if it holds
+//! with new variables in their place. If exp of another expression occurs, only the “if” is
+//! certain.
 
 use std::collections::BTreeMap;
 

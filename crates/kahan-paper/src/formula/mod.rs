@@ -2,8 +2,9 @@
 //!
 //! A [`Statement`] consists of items between semicolons: definitions `name(a, b) := expr`,
 //! equations `left = right`, inequations `left != right` between different functions, and
-//! approximate equations `left ~ right`. Expressions have the operators of `kahan!` and calls. The
-//! calls `f`, `A`, `b`, `J` and `next` accept another system's name as first argument.
+//! approximate equations `left ~ right`. Expressions have the operators of `kahan!`, general
+//! exponents and calls. Calls of `next`, `back`, `on`, `f`, `Df`, `A`, `b`, `J`, `detA` and `detJ`
+//! accept another system's name as first argument.
 //!
 //! # Calls
 //! | call | meaning |
@@ -12,7 +13,8 @@
 //! | `on(E, a, b, c)` | E at the point (a, b, c) |
 //! | `at(E, v, a)` | E with the name v replaced by a |
 //! | `d(E, v)` | ∂E/∂v |
-//! | `f(i)`, `A(i,j)`, `b(i)` | the field f(x), and A and b of the step A(x,ε)·x̃ = b(x,ε) |
+//! | `f(i)`, `Df(i,j)` | the field f(x), and its Jacobian matrix |
+//! | `A(i,j)`, `b(i)` | A and b of the step A(x,ε)·x̃ = b(x,ε) |
 //! | `J(i,j)`, `detA`, `detJ` | the Jacobian matrix J = ∂x̃/∂x, and determinants of A and J |
 //! | `sum(j, a, b, E)` | the sum of E over j = a, …, b |
 //! | `exp`, `sn`, `gamma`, … | elementary, Jacobi's `sn(u, k)`, Γ, ψ (`digamma`), theta functions |

@@ -1,4 +1,5 @@
-//! Mutations: statements or `kahan!` blocks in which one coefficient or sign is changed.
+//! Mutations: statements or `kahan!` blocks with one change: of a number, a sign, `*` or `/`, or a
+//! factor 2 on a right-hand side.
 
 use std::ops::Range;
 

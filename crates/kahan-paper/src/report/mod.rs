@@ -1,4 +1,5 @@
-//! Verdicts as plain text: a summary, one line for each claim, or a description of each claim.
+//! Verdicts as plain text: a summary, one line for each claim (three if it fails), or a description
+//! of each claim.
 
 mod claims;
 mod summary;

@@ -1,4 +1,5 @@
-//! Claims of section 6 about dE7 and dE8, and about the orbits of the flow E9 as functions of time.
+//! Claims of section 6 about dE7 and dE8, and about E9: the orbits of its flow, and the fixed
+//! points of flow and map.
 
 mod e7;
 mod e8;

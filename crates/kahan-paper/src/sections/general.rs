@@ -1,4 +1,5 @@
-//! Claims of section 1 on all quadratic fields, and of section 2 on brackets in three dimensions.
+//! Claims of section 1 on all quadratic and homogeneous fields, and of sections 2 and 4 on brackets
+//! in three dimensions.
 
 use super::super::claim::Claim;
 use super::super::section::Section;

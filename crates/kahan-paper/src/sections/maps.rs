@@ -1,4 +1,4 @@
-//! Claims of sections 2, 3 and 5 about fields, maps, and relations between the systems.
+//! Claims of sections 2, 3, 5, 6 and 8 about fields, maps, and relations between the systems.
 
 use kahan_systems::registry::find;
 

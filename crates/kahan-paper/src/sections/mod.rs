@@ -1,4 +1,4 @@
-//! The claims of the paper, section by section.
+//! The claims of the paper, section by section, and then those of further systems.
 
 mod appendix;
 mod diophantine;

@@ -1,5 +1,5 @@
 //! The rows of Tables 1 to 4: Lie-Poisson pairs of the flows, and integrals and Poisson pairs of
-//! the maps.
+//! the maps. The rows of E7 to E9, from section 6, are about flows only.
 
 /// A row of Tables 1 to 4.
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,5 @@
-//! Claims of Tables 1 to 4 and of Theorems 1 and 2, for each row.
+//! Claims of Tables 1 to 4 and of Theorems 1 and 2, for each row of E1 to E6. The rows of E7 to E9
+//! have only claims about the flow, from section 6.
 //!
 //! In the texts, `{P12}` stands for the row's definition of `P12`, `{e}` for the name of the
 //! system, and `{i}` for the number of the system.

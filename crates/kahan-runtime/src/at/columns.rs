@@ -1,7 +1,7 @@
 //! Many trajectories in columns, one column for each variable.
 //!
 //! In: columns, and ε and parameters with one value for all trajectories or one for each. Out: the
-//! columns after some steps, and how each trajectory ended.
+//! columns after some steps, and on request how each trajectory ended.
 
 use core::ops::ControlFlow;
 use core::slice;

@@ -1,4 +1,5 @@
-//! The field, the Jacobians, the integrals and the brackets of a map at a state.
+//! The field, the Jacobians, the matrix A, the integrals, the density and the brackets of a map at
+//! a state.
 
 use crate::engine::MapObject;
 use crate::{ClaimError, DimensionError};

@@ -1,4 +1,5 @@
-//! Observation of many orbits, in SIMD lanes if machine code exists.
+//! Observation of many orbits. They run in SIMD lanes if machine code exists, the maps are alike,
+//! and there are at most eight variables.
 //!
 //! In: one map for all orbits or one for each, first points, and observers. Out: reports. Points
 //! and reports equal those of single orbits bit for bit.

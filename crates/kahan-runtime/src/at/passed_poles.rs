@@ -1,8 +1,8 @@
 //! The number of steps that pass over a pole of the map.
 //!
-//! In: the points of an orbit. Out: a count. As ε grows from 0 to its value, the image x̃ moves
-//! along a curve that begins at x. If the denominator of x̃ vanishes on the way, x̃ lies beyond a
-//! pole.
+//! In: the points of an orbit. Out: a count, or an estimate by signs of det A if the denominator is
+//! too long. As ε grows from 0 to its value, the image x̃ moves along a curve that begins at x. If
+//! the denominator of x̃ vanishes on the way, x̃ lies beyond a pole.
 
 use kahan_core::observe::Observer;
 use kahan_core::{Composition, Scalar};

@@ -1,4 +1,4 @@
-//! Roots ε′ between 0 and ε of the denominator d(x, ε′) of a map in lowest terms.
+//! Tests whether the denominator d(x, ε′) of a map in lowest terms has a root ε′ between 0 and ε.
 //!
 //! In: d as a polynomial, parameters, ε, and points x. Out: whether d(x, ·) has a root between 0
 //! and ε, or at ε. Floats with an error bound decide most cases; exact numbers decide the other

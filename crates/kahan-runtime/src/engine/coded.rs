@@ -1,7 +1,8 @@
-//! Steps of single states by machine code.
+//! Steps of single states by machine code, or for dense fields by loops over the terms.
 //!
 //! In: a `StepKind` (the precision and the formula), with the parameters and ε of each stage. Out:
-//! states after some steps. A step that the code rejects is repeated by the caller's interpreter.
+//! states after some steps. If the code rejects a step, the caller's interpreter repeats up to 64
+//! steps.
 
 use std::sync::{Arc, OnceLock};
 

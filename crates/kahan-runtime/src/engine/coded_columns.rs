@@ -1,7 +1,8 @@
 //! Advances many trajectories by machine code, in tiles.
 //!
-//! In: columns, with ε and parameters. Out: the columns after some steps. A tile holds trajectories
-//! that fill whole SIMD registers. All its steps run while it is in the L1 cache.
+//! In: columns, with ε and parameters. Out: the columns after some steps. A tile holds at most 512
+//! trajectories, in whole SIMD registers. With few variables, its steps run while it is in the L1
+//! cache. Steps by elimination run 64 at a time.
 
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;

@@ -1,8 +1,8 @@
 //! Sparse elimination for fields of many variables, on slices.
 //!
 //! In: the entries of f′(x), and ε, half the time step. Out: factors of A(x,ε) = I − εf′(x), and
-//! solutions of systems with A. `kahan-core` chooses the order of elimination. If a pivot is too
-//! small, a second elimination exchanges rows.
+//! solutions of systems with A. `kahan-algebra` chooses the order of elimination, and `kahan-core`
+//! computes. If a pivot is too small, a second elimination exchanges rows.
 
 use std::sync::OnceLock;
 

@@ -1,4 +1,5 @@
-//! Gaussian elimination on slices, with the same operations in the same order as in `kahan-core`.
+//! Gaussian elimination on slices. Dense elimination has the operations of `kahan-core` in their
+//! order. Sparse elimination with row exchanges is for fields that are too large for compiled code.
 
 use kahan_core::Scalar;
 use kahan_core::num_traits::Zero;

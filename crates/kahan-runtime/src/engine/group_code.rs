@@ -1,7 +1,7 @@
 //! Compiled steps of a group of orbits, one orbit in each SIMD lane.
 //!
 //! In: the machine code of each orbit's stages. Out: points after some steps, with tangent vectors
-//! on request. All numbers equal those of single orbits bit for bit.
+//! on request, or integrals. All numbers equal those of single orbits bit for bit.
 
 use std::sync::{Arc, OnceLock};
 

@@ -1,7 +1,7 @@
 //! Scratch memory of each thread.
 //!
-//! Vectors keep their capacity, so on each thread usually only the first step of a map allocates.
-//! Exchanges of rows in a sparse elimination of more than 200 variables also allocate.
+//! Vectors keep their capacity, so that later steps of a map on the same thread seldom allocate.
+//! Sparse elimination with row exchanges allocates each time.
 
 use core::cell::Cell;
 use std::thread::LocalKey;

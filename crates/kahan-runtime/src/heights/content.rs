@@ -1,9 +1,9 @@
 //! Divides the coordinates of a point, which are integers, by their greatest common divisor, called
 //! the content.
 //!
-//! For integrable maps the content is long, for example two thirds of the coordinates' digits for
-//! the catalog's system E4. A gcd of such long numbers costs more than the step itself, so
-//! [`ContentPredictor`] predicts the content from earlier steps.
+//! For many integrable maps the content is long, for example two thirds of the coordinates' digits
+//! for the catalog's system E4. A gcd of such long numbers costs more than the step itself, so
+//! [`ContentPredictor`] predicts the content of long points from earlier steps.
 //!
 //! # Maps without a long content
 //!

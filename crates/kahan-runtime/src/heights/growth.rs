@@ -1,4 +1,5 @@
-//! Classifies the growth of a sequence of heights by its finite differences.
+//! Classifies the growth of a sequence of heights, by differences of means, least-squares lines, or
+//! for short sequences by ratios.
 
 use std::fmt;
 

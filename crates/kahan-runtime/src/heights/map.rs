@@ -2,7 +2,8 @@
 //!
 //! In: a system, values of its parameters, and ε. Out: steps without fractions, by the map in
 //! lowest terms, homogenised with W. If that map has too many terms, elimination over ℤ solves
-//! A(x,ε) x̃ = b. The constant σ is 1/ε for a homogeneous field, otherwise 1.
+//! A(x,ε) x̃ = b. The constant σ is 1/ε for a homogeneous field whose coefficients do not depend on
+//! ε, otherwise 1.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;

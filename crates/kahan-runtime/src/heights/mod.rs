@@ -1,7 +1,7 @@
 //! The Diophantine test: exact orbits and the growth of their heights (section 7 of the paper).
 //!
 //! The logarithmic height of p/q in lowest terms is h(p/q) = log max(|p|, |q|). Along an orbit over
-//! ℚ, the height grows polynomially if the map is integrable, and otherwise in general
+//! ℚ, the height grows at most polynomially if the map is integrable, and otherwise in general
 //! exponentially. [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map from
 //! rational initial data; [`Growth`] classifies them; [`DiophantineTest`] is the whole test in one
 //! call.

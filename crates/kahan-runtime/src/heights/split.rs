@@ -1,4 +1,5 @@
-//! A faster step from points at which gcd(Xᵢ, W) has most of the digits of some coordinates Xᵢ.
+//! A faster step from long points at which gcd(Xᵢ, W) has most of the digits of W for some
+//! coordinates Xᵢ.
 //!
 //! For the catalog's system E7, for example, x is a fraction of four digits while z has ten
 //! thousand. Then some Xᵢ and W have a long common factor g: Xᵢ = g aᵢ, W = g b with short aᵢ and

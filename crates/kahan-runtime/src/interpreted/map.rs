@@ -1,7 +1,8 @@
 //! Implements [`KahanMap`] for an interpreted system.
 //!
-//! In: a state, and ε. Out: x̃, its Jacobian, integrals and so on. Each is computed by a program,
-//! or, if this would be too long, by linear algebra with A(x,ε) = I − εf′(x).
+//! In: a state, and ε. Out: x̃, its Jacobian, integrals and so on. Programs compute them. If a
+//! program would be too long, linear algebra with A(x,ε) = I − εf′(x) gives x̃, its Jacobian and
+//! det A. Dual numbers give the Jacobian if the step has a program.
 
 use std::marker::PhantomData;
 use std::sync::Arc;

@@ -1,7 +1,8 @@
 //! Kahan's map of a lattice, for one ε and one number of sites.
 //!
 //! In: a state, which holds the variables of the first site, then those of the second, and so on.
-//! Out: the next state in the same memory, linear integrals, and the modified energy.
+//! Out: the next state in the same memory, linear integrals, the Hamiltonian, and the modified
+//! energy.
 
 use std::sync::Arc;
 

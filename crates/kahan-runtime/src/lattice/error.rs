@@ -1,4 +1,4 @@
-//! Errors in the sites and parameters of a chain.
+//! Errors in the sites, ε and parameters of a chain.
 
 use core::fmt;
 

@@ -1,6 +1,7 @@
 //! The machine code of a field, compiled at first use and shared by all maps of the field.
 //!
-//! In: an engine and a kind of step. Out: code, or `None` if compilation fails.
+//! In: an engine, and a kind of step or a derived function. Out: code, or `None` if there is no
+//! compiler, no program, or if compilation fails.
 
 use std::collections::HashMap;
 use std::hash::Hash;

@@ -1,7 +1,8 @@
 //! Programs to compile, written by running the interpreter over [`Traced`] numbers.
 //!
 //! In: an engine with its plans. Out: a `Program` of `kahan-jit` that has the interpreter's
-//! operations in their order; `None` for a step that branches or is too long.
+//! operations in their order. An elimination becomes a program with a guard. The result is `None`
+//! for a long elimination, and for some steps in double-double.
 
 use kahan_core::Scalar;
 use kahan_dynamics::Precision;

@@ -1,8 +1,9 @@
 //! Observation of a group of orbits whose points and tangent vectors advance by machine code.
 //!
 //! In: maps, points, and observers that do not need every point. Out: points and reports with the
-//! bits of single orbits. The code makes [`PAUSE`] steps in one call; between calls, observers read
-//! the vectors.
+//! bits of single orbits. After the first [`PAUSE`] steps, the code makes up to [`PAUSE`] steps in
+//! one call. Observers read the vectors after 2ᵏ steps, at the end, and when a vector becomes too
+//! long or short.
 
 use core::array::from_fn;
 use std::ops::ControlFlow;

@@ -5,9 +5,9 @@
 //!
 //! # Files
 //!
-//! An observable with an observer of its own has a file in `running/`, such as `last.rs`. There,
-//! `ABOUT` describes the observable, `Own` is the type of its observer, `observer` makes an
-//! observer, and the function `seen` reads the observer's report.
+//! An observable can have a file in `running/`, such as `last.rs`. There, `ABOUT` describes the
+//! observable, `Own` is the type of its observer, `observer` makes an observer, and `seen` turns it
+//! into the observed value.
 
 use std::ops::ControlFlow;
 

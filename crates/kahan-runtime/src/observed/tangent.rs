@@ -8,7 +8,8 @@
 //!
 //! If the map preserves w = g(x), the propagated plane stays near the plane of the vectors (e,
 //! Dg·e). Replacing it by that plane at every step would change Lyapunov exponents by a term of
-//! order ε. Therefore the plane is reset only if its error exceeds [`LARGEST_DERIVATIVE_ERROR`].
+//! order ε. Therefore the plane is reset only at the start, if its error exceeds
+//! [`LARGEST_DERIVATIVE_ERROR`], or if its vectors become dependent in x.
 
 use core::fmt;
 use std::cell::RefCell;

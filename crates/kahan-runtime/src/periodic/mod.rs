@@ -1,7 +1,7 @@
 //! Periodic points of run-time maps, with exact proofs for rational cycles.
 //!
 //! In: a cycle in floats, which [`kahan_dynamics::periodic`] found. Out: a cycle of fractions near
-//! it ([`rational`]), and its stability ([`circle`]).
+//! it ([`rational`]) and its stability ([`circle`]), if such a cycle is found.
 
 mod circle;
 mod rational;

@@ -1,7 +1,7 @@
 //! Rational cycles near cycles that were found in floats.
 //!
-//! In: a cycle in floats. Out: a cycle of fractions near it, and the exact characteristic
-//! polynomial of the derivative along the cycle.
+//! In: a cycle in floats. Out: a cycle of fractions near it, if one is found, and the exact
+//! characteristic polynomial of the derivative along the cycle.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::{Interpreter, Point};

@@ -136,7 +136,7 @@ pub(crate) const CASES: [Case; 20] = [
     },
     Case {
         name: "lagrange",
-        text: "xdot = -0.5*q*y*z + 0.6*v; ydot = 0.5*q*x*z - 0.6*u; zdot = 0; udot = q*(1.5*v*z - w*y); \
+        text: "xdot = 0.5*q*y*z + 0.6*v; ydot = -0.5*q*x*z - 0.6*u; zdot = 0; udot = q*(1.5*v*z - w*y); \
                vdot = q*(w*x - 1.5*u*z); wdot = q*(u*y - v*x);",
         eps: 0.05,
         start: &[0.4, 0.3, 0.8, 0.1, -0.5, 0.6],

@@ -1,4 +1,5 @@
-//! Double-double arithmetic for interpreted steps, which give the same numbers as compiled steps.
+//! Double-double arithmetic for evaluations at a point and for explicit methods. Its operations are
+//! those of compiled steps.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;

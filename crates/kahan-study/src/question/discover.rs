@@ -1,4 +1,5 @@
-//! Searches, from the equations of a field, for everything that the field's map preserves.
+//! Searches, from the equations of a field, for integrals, densities, brackets and drifts of its
+//! map, and for Hamiltonians.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};

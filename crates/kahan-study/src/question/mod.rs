@@ -1,8 +1,8 @@
 //! Questions, which are read from JSON, and their answers.
 //!
 //! A question in JSON has a name `ask` and further fields, such as
-//! `{"ask": "evaluate", "eps": "1/2", "at": [1, 2, 3]}`. Each question has a file with its fields,
-//! its answer and `ask`.
+//! `{"ask": "evaluate", "eps": "1/2", "at": [1, 2, 3]}`. Each question here has a file with its
+//! fields, its answer and `ask`. The question `trade` is in the module [`crate::trade`].
 
 mod over;
 

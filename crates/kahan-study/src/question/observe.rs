@@ -1,4 +1,4 @@
-//! Observables of an orbit: exponents, chaos indicators, rotation, drift, escape.
+//! Observables of an orbit, such as exponents, chaos indicators, rotation, drift and escape.
 //!
 //! No orbit is stored. Rotation needs two runs; the first finds the midrange of each variable.
 

@@ -1,4 +1,5 @@
-//! Measures a setting: runs an orbit and compares points along it with the expected values.
+//! Measures a setting: runs an orbit, and compares points with the reference and integrals with
+//! their first values.
 
 use std::iter::once;
 use std::ops::ControlFlow;

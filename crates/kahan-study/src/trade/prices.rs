@@ -1,7 +1,8 @@
 //! The measured time of a step of each scheme on this machine, in nanoseconds.
 //!
 //! An interpreted field has no compiled step to time. Its times are those of the compiled system
-//! E6, multiplied by the ratio of the estimated costs of the two systems' steps.
+//! E6, multiplied by the ratio of the estimated costs of the two systems' steps. A price in single
+//! precision is at least that in double precision.
 
 use kahan_core::StepCost;
 use kahan_dynamics::{Need, Precision, Scheme};

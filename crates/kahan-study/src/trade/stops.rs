@@ -1,4 +1,5 @@
-//! The steps of an orbit at which its points are compared with the reference.
+//! The steps of an orbit at which its points are compared with the reference, or its integrals
+//! evaluated.
 
 use crate::reference::Reference;
 

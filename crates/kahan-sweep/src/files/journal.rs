@@ -1,8 +1,9 @@
-//! The journal of an unfinished part. After an interruption, recorded rows are not computed again.
+//! The journal of an unfinished part. After an interruption, recorded rows are not computed again,
+//! except in overlapping records.
 //!
-//! Each process appends records of finished rows to its own file. Readers stop at an incomplete
-//! record, and skip records of another plan, version or floating-point mode. The files are deleted
-//! once the part exists.
+//! Each process appends records of finished rows to its own file. Readers stop at an incomplete or
+//! damaged record, and skip records of another plan, version or floating-point mode. The files are
+//! deleted once the part exists.
 
 use std::fs::File;
 use std::io::{self, Write};

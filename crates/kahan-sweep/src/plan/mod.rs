@@ -1,7 +1,7 @@
 //! A plan: a field, a question asked at every point of a grid or sample, and the columns to write.
 //!
-//! A plan is read from a TOML text, whose mistakes are all reported before anything runs. The plan
-//! determines the number of points, and the rows of any range of points.
+//! A plan is read from a TOML text. Mistakes are reported before anything runs, several at once if
+//! possible. The plan determines the number of points, and the rows of any range of points.
 
 mod read;
 

@@ -1,4 +1,5 @@
-//! Reads the claims `integral`, `density`, `bracket` and `drift`, with their conditions.
+//! Reads the claims `integral`, `density`, `bracket` and `drift`, with their conditions, and
+//! `hamiltonian` in families.
 
 use std::mem;
 

@@ -1,5 +1,5 @@
 //! Recognises notation of other languages next to an operand. Examples are calls, paths, indices,
-//! products without `*`, and statements. Each mistake proposes the notation of this language.
+//! products without `*`, and statements. Most mistakes propose the notation of this language.
 
 use crate::diagnostics::Kind;
 use crate::spelling::{LIFTS, NOT_QUADRATIC, ON_TEXTS, fresh};

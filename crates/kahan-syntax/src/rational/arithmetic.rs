@@ -1,7 +1,7 @@
 //! Computes sums, products, quotients and powers of rationals.
 //!
-//! Small operands stay in machine integers; a result beyond 63 bits becomes a big integer. Sums
-//! follow Knuth (The Art of Computer Programming, 4.5.1).
+//! Small operands stay in machine integers; a result beyond 63 bits becomes a big integer. Sums of
+//! small operands follow Knuth (The Art of Computer Programming, 4.5.1).
 
 use std::ops::{Add, Mul, Neg, Sub};
 

@@ -1,4 +1,4 @@
-//! Reads rationals as `p`, `p/q` or exact decimals, and writes them as `p` or `p/q`.
+//! Reads rationals as exact decimals or quotients of two decimals, and writes them as `p` or `p/q`.
 
 use std::fmt;
 

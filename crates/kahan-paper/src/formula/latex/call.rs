@@ -1,4 +1,5 @@
-//! Writes calls in LaTeX: functions, derivatives, points of the map and matrix entries.
+//! Writes calls in LaTeX, such as functions, derivatives, points of the map, brackets, sums and
+//! matrix entries.
 
 use super::super::Formula;
 use kahan_algebra::render::Precedence;

@@ -1,4 +1,5 @@
-//! Claims about the flow of E9: the time as an integral over x, closed forms, and fixed points.
+//! Claims about E9: the time as an integral over x, closed forms of orbits, and the fixed points of
+//! flow and map.
 
 use super::super::super::claim::Claim;
 use super::super::super::section::Section;

@@ -23,8 +23,8 @@
 //! ∂L/∂ε += 2 μ·q(x,x̃)
 //! ```
 //!
-//! The states are recomputed from about √steps checkpoints. If coefficients depend on ε, dual
-//! numbers differentiate the whole step.
+//! The states are recomputed from about √(steps · stages) checkpoints. If coefficients depend on ε,
+//! or near det A = 0, dual numbers differentiate a stage.
 
 mod backward_pass;
 mod terms;

@@ -1,5 +1,6 @@
-//! Orbits of chains with any number of sites, in doubles. Each row holds conserved quantities. It
-//! also holds all variables or, for a long chain, the range of each variable over the sites.
+//! Orbits of chains with any number of sites, in doubles. Each row holds the linear integrals, and
+//! if there is a Hamiltonian, its value and the modified energy. It also holds all variables or,
+//! for a long chain, the range of each variable over the sites.
 
 use std::ops::{ControlFlow, Range};
 

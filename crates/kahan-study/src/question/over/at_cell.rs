@@ -1,6 +1,7 @@
 //! Rows of a table for a question that is asked at each combination of axis values.
 //!
-//! Searches are limited by degree, not by time, so that results do not depend on the machine.
+//! Searches are limited by degree, and heights by digits. No time limit applies, so that results do
+//! not depend on the machine.
 
 use kahan_algebra::rational::Rational;
 

@@ -1,8 +1,8 @@
 //! A question at every combination of values on some axes, for charts and sweeps. Drawn axes vary
 //! together.
 //!
-//! The answer is a table with a row for each cell (combination). The question and the row's number
-//! determine a row, independently of threads, time and other rows.
+//! The answer is a table with a row for each cell (combination). The field, the question and the
+//! row's number determine a row, independently of threads, time and other rows.
 
 mod at_cell;
 mod axis;

@@ -1,4 +1,5 @@
-//! Observes the orbits of cells. Orbits of different maps run side by side in SIMD lanes.
+//! Observes the orbits of cells. With machine code, orbits, even of different maps, can run side by
+//! side in SIMD lanes.
 
 use std::ops::ControlFlow;
 

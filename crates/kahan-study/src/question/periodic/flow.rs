@@ -1,5 +1,6 @@
-//! Finds limit cycles of the flow by Newton's method. The unknowns are ε and the points of a cycle
-//! of the map. The search starts where an orbit nearly returns to an earlier point.
+//! Finds limit cycles of the flow by Newton's method. The unknowns are ε, the points of a cycle of
+//! the map, and along a branch a parameter. The search starts where an orbit nearly returns to an
+//! earlier point.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, DMatrix};

@@ -1,4 +1,5 @@
-//! Follows the orbits of a section in groups on all threads, and passes on their crossings.
+//! Follows the orbits of a section in groups on all threads, and passes on their crossings. With
+//! `carry`, one orbit follows after another.
 //!
 //! An orbit whose buffer of crossings is full waits until its rows are passed on, so that memory is
 //! bounded.
