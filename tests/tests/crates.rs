@@ -3,6 +3,7 @@
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};
+use std::mem::replace;
 use std::process::Command;
 use std::{env, fs};
 
@@ -154,7 +155,7 @@ fn what_the_macro_and_the_command_share_is_compiled_once() {
 }
 
 /// Returns the hash of a compilation unit: of its source, its settings, and the units that it uses.
-fn hash(units: &[Value], index: usize, known: &mut [Option<u64>]) -> u64 {
+fn hash(units: &[Value], linked: &[bool], index: usize, known: &mut [Option<u64>]) -> u64 {
     if let Some(known) = known[index] {
         return known;
     }
@@ -163,9 +164,9 @@ fn hash(units: &[Value], index: usize, known: &mut [Option<u64>]) -> u64 {
     for key in ["pkg_id", "target", "profile", "platform", "mode", "features"] {
         unit[key].to_string().hash(&mut hasher);
     }
-    for used in unit["dependencies"].as_array().expect("dependencies") {
-        let used = used["index"].as_u64().and_then(|index| usize::try_from(index).ok()).expect("an index");
-        hash(units, used, known).hash(&mut hasher);
+    linked[index].hash(&mut hasher);
+    for used in used_by(unit) {
+        hash(units, linked, used, known).hash(&mut hasher);
     }
     *known[index].insert(hasher.finish())
 }
@@ -182,6 +183,7 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let graph: Value = serde_json::from_slice(&output.stdout).expect("cargo writes JSON");
     let units = graph["units"].as_array().expect("units");
+    let linked = linked(&graph, units);
     let mut known = vec![None; units.len()];
     let name = |unit: &Value| {
         let id = unit["pkg_id"].as_str().expect("an identifier");
@@ -190,7 +192,31 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
         let (path, version) = id.split_once('#').expect("a version");
         version.split_once('@').map_or(path.rsplit('/').next().unwrap_or(path), |(name, _)| name).to_owned()
     };
-    (0..units.len()).map(|index| (name(&units[index]), hash(units, index, &mut known))).collect()
+    (0..units.len()).map(|index| (name(&units[index]), hash(units, &linked, index, &mut known))).collect()
+}
+
+fn used_by(unit: &Value) -> impl Iterator<Item = usize> {
+    let used = unit["dependencies"].as_array().expect("dependencies").iter();
+    used.map(|used| used["index"].as_u64().and_then(|index| usize::try_from(index).ok()).expect("an index"))
+}
+
+/// Returns for each compilation unit whether a program links it. Others are used by macros and build
+/// scripts only, which cargo compiles without link-time optimisation.
+fn linked(graph: &Value, units: &[Value]) -> Vec<bool> {
+    let mut linked = vec![false; units.len()];
+    let mut left: Vec<usize> = graph["roots"]
+        .as_array()
+        .expect("roots")
+        .iter()
+        .map(|root| root.as_u64().and_then(|root| usize::try_from(root).ok()).expect("an index"))
+        .collect();
+    while let Some(index) = left.pop() {
+        let kind = units[index]["target"]["kind"][0].as_str();
+        if kind != Some("proc-macro") && kind != Some("custom-build") && !replace(&mut linked[index], true) {
+            left.extend(used_by(&units[index]));
+        }
+    }
+    linked
 }
 
 /// Cargo compiles a crate again for each set of features, so all programs need equal features.
