@@ -1,9 +1,9 @@
 //! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages.
 //!
 //! `reading` parses arguments, `commands` asks the libraries, and `printing` writes the answers.
-//! The exit status is 0 for success, 1 for a failed check or a pole, and 2 for wrong input. A
-//! failed write gives 1 or 2. `kahan sweep` returns the status of `kahan-sweep`, and a signal may
-//! give 130 or 143.
+//! The exit status is 0 for success, 1 for a failed check or a pole, and 2 for wrong input or a
+//! failed write. `kahan sweep` returns the status of `kahan-sweep`, and a signal may give 130 or
+//! 143.
 
 // Each module uses only modules that are declared before it, as `tests/tests/layers.rs` checks.
 

@@ -101,7 +101,7 @@ pub struct Measurement {
 }
 
 impl Figure {
-    /// Returns the exact orbits of all figures.
+    /// Returns exact orbits of systems of the paper: those of its figures, and others.
     pub fn all() -> impl Iterator<Item = &'static Figure> {
         ALL.into_iter()
     }

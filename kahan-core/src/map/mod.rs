@@ -146,8 +146,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// Returns x̃, the state after one time step 2ε.
     ///
-    /// Most fields of up to eight variables use a closed form: x̃ as a reduced fraction, with one
-    /// or two divisions. Over floats this form has no branches and never allocates. Away from
+    /// Most fields of up to eight variables use a closed form: x̃ as a reduced fraction, with few
+    /// divisions. Over floats this form has no branches and never allocates. Away from
     /// poles, the error is of the order of the rounding unit if ‖εf′(x)‖ is not much above 1. Up to
     /// ‖εf′(x)‖∞ = 1000, the error is about as large as after elimination with pivoting. The
     /// documentation of a generated type may state another limit.

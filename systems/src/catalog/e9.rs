@@ -63,7 +63,7 @@ kahan! {
 pub const ENTRY: Entry = Entry::new(
     "e9",
     "E9",
-    "a family with parameter xi between E3 (xi = 1) and E4 (xi = -1); not integrable between them",
+    "a family with parameter xi: E3 at xi = 1, E4 at xi = -1; not integrable for most other xi",
     include_str!("e9.rs"),
 )
 .with_parameters(&[(-5, 4)])

@@ -3,7 +3,7 @@
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
-use kahan_systems::registry::all;
+use kahan_study::{Catalog, Systems};
 
 use crate::printing::{Answer, UsageError, joined};
 
@@ -31,10 +31,14 @@ impl Completions {
     }
 }
 
+fn systems() -> impl Iterator<Item = &'static str> {
+    Systems.names().into_iter().map(|[name, _]| name)
+}
+
 /// Adds the names of systems as values of SYSTEM, for completion only. For a wrong name, the
 /// command's own error message is better than that of clap.
 fn with_system_names(command: Command) -> Command {
-    let names = || PossibleValuesParser::new(all().map(|entry| entry.command).chain(["general"]));
+    let names = || PossibleValuesParser::new(systems().chain(["general"]));
     let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();
     subcommands.iter().fold(command, |command, name| {
         command.mut_subcommand(name, |subcommand| {
@@ -50,6 +54,6 @@ fn with_system_names(command: Command) -> Command {
 fn fish_systems(command: &Command) -> String {
     let takes_system = |one: &&Command| one.get_positionals().any(|argument| argument.get_id() == "system");
     let taking = joined(command.get_subcommands().filter(takes_system).map(Command::get_name), " ");
-    let systems = joined(all().map(|entry| entry.command), " ");
+    let systems = joined(systems(), " ");
     format!("complete -c kahan -n \"__fish_seen_subcommand_from {taking}\" -a \"{systems}\"\n")
 }

@@ -96,7 +96,7 @@ pub(crate) fn finish(result: Result<Answer, UsageError>) -> u8 {
     match written {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             let _ = writeln!(io::stderr(), "error: cannot write the answer: {error}");
-            1
+            2
         }
         _ => status,
     }

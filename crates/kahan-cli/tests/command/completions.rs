@@ -42,6 +42,7 @@ fn bash_completes_systems_and_options() {
     };
     assert_eq!(complete(&["kahan", "show", "hen"]).trim(), "henon-heiles");
     assert_eq!(complete(&["kahan", "verify", "zhu"]).trim(), "zhukovsky");
+    assert_eq!(complete(&["kahan", "show", "volterra-r"]).trim(), "volterra-ring");
     assert_eq!(complete(&["kahan", "heights", "lv", "--dig"]).trim(), "--digits");
     assert_eq!(complete(&["kahan", "dis"]).trim(), "discover");
     assert_eq!(complete(&["kahan", "eval", "--scalar", "e"]).trim(), "exact");

@@ -225,6 +225,23 @@ fn a_reader_that_goes_away_is_no_error() {
     assert_eq!(child.wait().expect("the command ends").code(), Some(0));
 }
 
+/// Every write to the device `/dev/full` fails.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_failed_write_has_the_status_of_an_error() {
+    for call in [
+        "list",
+        "orbit e6 --eps 1/10 --at 1,2,1/3 --steps 5",
+        "section e6 --eps 1/10 --at 1,2,1/3 --plane x-y",
+    ] {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
+        let output = Command::new(env!("CARGO_BIN_EXE_kahan")).args(call.split(' ')).stdout(full).output();
+        let output = output.expect("the command runs");
+        assert_eq!(output.status.code(), Some(2), "{call}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("cannot write"), "{call}");
+    }
+}
+
 #[test]
 fn a_time_step_is_twice_eps() {
     for (command, more) in [

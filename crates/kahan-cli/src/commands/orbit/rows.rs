@@ -26,7 +26,7 @@ impl Orbit {
             Ok(stops) => stops,
             // If the reader closes the pipe, the table ends without an error.
             Err(WriteError::ReaderGone) => Vec::new(),
-            Err(WriteError::Failed(why)) => return Ok(Answer::text(String::new()).with_complaint(Some(why))),
+            Err(failed) => return Err(failed.into()),
         };
         let answer = match file {
             Some(path) if self.json => {
