@@ -102,6 +102,7 @@ fn texts_of_other_tools_are_read() {
         ),
         ("p = q - x\nq = -2*x\nx' = p(t)*q", "xdot = ((-2*x) - x)*(-2*x);"),
         ("par unused=3\nx' = x", "xdot = x;"),
+        ("par a=1, unused=3 other=2\nx' = a*x", "a=1 xdot = a*x;"),
         ("par a=1 b=2\ninit x=1 y=+2\nx' = a*x + b*y\ny' = x", "a=1 b=2 xdot = a*x + b*y; ydot = x; x=1 y=2"),
         ("init x = 1, a = -1e-3\nx' = -a*x", "a=-1/1000 xdot = -a*x; x=1"),
     ] {

@@ -33,7 +33,16 @@ impl Reader<'_> {
                 at = end;
                 continue;
             }
-            let left = self.left_side(at);
+            let mut left = self.left_side(at);
+            // In `par a=2, b=3` the keyword declares both.
+            let is_listed =
+                |item: &TextItem| !item.is_ended && item.left.as_ref().is_some_and(|left| left.is_declared);
+            if let Some(left) = left.as_mut().filter(|left| left.is_value())
+                && !self.begins_line(at)
+                && items.last().is_some_and(is_listed)
+            {
+                left.is_declared = true;
+            }
             let brackets = usize::from(left.as_ref().is_some_and(|left| left.is_in_call));
             let end = self.end_of(at, left.as_ref());
             let is_ended = brackets == 0 && self.at(end) == ";";
