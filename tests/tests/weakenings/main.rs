@@ -25,7 +25,7 @@ use list::{WEAKENINGS, Weakening};
 use machine_code::MACHINE_CODE;
 use orbits::ORBITS;
 
-const MINUTES: u64 = 3;
+const MINUTES: u64 = 1;
 
 /// The number of weakenings that are tried in files that have not changed since `KAHAN_BASE`.
 const OTHERS: usize = 4;
