@@ -1,4 +1,4 @@
-//! Estimates a sweep's points, time and size by computing a sample of its points.
+//! Estimates a sweep's time and size by computing a sample of its points.
 
 use std::time::{Duration, Instant};
 
