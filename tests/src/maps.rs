@@ -21,7 +21,7 @@ pub trait Steps<T> {
     fn try_step(&self, x: &[T], eps: T) -> Result<Vec<T>, SingularStep>;
 }
 
-/// The quantities of Kahan's method for a map.
+/// A field with the matrices, determinants and other quantities of Kahan's method.
 pub trait Map<T>: Steps<T> {
     /// Returns the field f(x).
     fn field(&self, x: &[T]) -> Vec<T>;

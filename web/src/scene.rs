@@ -84,7 +84,8 @@ fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit),
 /// The coordinates of the first initial point that is tried, repeated for further variables.
 const UNITS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 
-/// Returns the orbit from the text's own point, from [`UNITS`], or else the library's choice.
+/// Returns the orbit from the initial point in the text. Without one, the coordinates in [`UNITS`]
+/// are tried; if that orbit is too small or too large, the library chooses a start.
 fn first_orbit(study: &Study) -> Result<ShownOrbit, StudyError> {
     if let Some(own) = study.start().or_else(|| study.lift_start()) {
         return study.shown_orbit(None, Some(&own));

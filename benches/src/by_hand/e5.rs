@@ -48,7 +48,7 @@ pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Divides the denominators by powers of ε, and computes z from the new x and y.
+/// Returns the step with the denominators D/(2ε²) and u/ε. The new x and y are used to compute z̃.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h) = (0.5 / eps, 1.0 / eps);
     move |[x, y, z]| {

@@ -193,7 +193,7 @@ impl Check {
     }
 }
 
-/// Returns the library's choice. `None` if the library refuses to choose.
+/// Returns the scheme and the ε that the library chooses, or `None` if it refuses to choose.
 fn library<M, const N: usize>(
     map: &M,
     start: &SVector<BigRational, N>,

@@ -138,8 +138,8 @@ pub(crate) fn slopes<'a>(
     polynomials.flat_map(|one| partials.iter().map(move |along| along.derivative(one))).collect()
 }
 
-/// Returns a symmetric matrix S for which −A⁻ᵀSG is a gradient, for x′ = A p and p′ = G(x). No
-/// diagonal entry of S is 0. The choice is A itself if possible, otherwise a diagonal matrix.
+/// For x′ = Ap and p′ = G(x), returns a symmetric matrix S with −A⁻ᵀSG = ∇V for some V(x), so that
+/// ½pᵀSp + V is an energy. S has no 0 on its diagonal, and is A or a diagonal matrix if possible.
 fn kinetic_energy(
     ring: &Ring,
     partials: &[Ring],

@@ -162,8 +162,8 @@ impl Ring {
         self.coordinates.iter().position(|known| known.meaning == *meaning)
     }
 
-    /// Returns the coordinate with this definition. The function `slope` is called for new
-    /// coordinates only.
+    /// Returns the index of the coordinate with this definition. A new coordinate is added; then
+    /// `slope` is called with its index, and returns its time derivative.
     pub(crate) fn coordinate(
         &mut self,
         meaning: CoordinateDefinition,

@@ -29,7 +29,7 @@ impl ColourColumn {
         Some(ColourColumn { observable, column: column.to_owned() })
     }
 
-    /// Reads the name of an observable with a single number, or of a column that the field has.
+    /// Reads the name of an observable with a single number, or of one column of an observable.
     ///
     /// # Errors
     /// [`StudyError::UnknownColumn`], and [`StudyError::NoIntegral`] for drifts of a field without

@@ -34,7 +34,7 @@ const LARGEST_ERROR: f64 = 0.1;
 /// The coordinates of first points, simple fractions for exact orbits. They differ, because points
 /// with equal coordinates often lie on a symmetry axis.
 const START_COORDINATES: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
-/// Sizes of first points, relative to the field's length scale, in the order of trial.
+/// Pairs (p, q): first points of the size p/q times the field's length scale are tried in turn.
 const START_SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
 
 impl Study {

@@ -36,7 +36,7 @@ const RANK_LAUNCHERS: [(&str, &str, &str); 3] = [
     ("MPI", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_SIZE"),
 ];
 
-/// Launchers can be nested. In this launcher, the process is task `index` of `of` tasks.
+/// A job launcher that started `of` tasks. This process is the task with the number `index`.
 #[derive(Clone, Debug)]
 struct LaunchLevel {
     launcher: &'static str,

@@ -118,8 +118,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.field_jacobian(x)
     }
 
-    /// Returns Q(x,y) + ½B(x + y) + c, where f(x) = Q(x,x) + Bx + c has its coefficients at ε. For
-    /// y equal to x̃ the result is (x̃ − x)/(2ε).
+    /// Returns Q(x,y) + ½B(x + y) + c for f(x) = Q(x,x) + Bx + c, whose coefficients may depend on
+    /// ε. For y equal to x̃ the result is (x̃ − x)/(2ε).
     #[inline(always)]
     fn polarized_at(&self, x: &SVector<T, N>, y: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         let _ = eps;

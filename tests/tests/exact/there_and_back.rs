@@ -27,8 +27,8 @@ fn norm<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
     (0..N).map(|i| (0..N).map(|j| matrix[(i, j)].abs()).sum()).fold(0.0, f64::max)
 }
 
-/// Returns the distance from the start and a bound. The bound sums the error of each step, times
-/// the norm of the Jacobian matrix of the steps back to the start.
+/// Goes there and back. Returns the distance from the start and a bound: the sum of each step's
+/// error times the norm of the Jacobian matrix of the steps from there back to the start.
 fn distance_and_bound<M: KahanMap<f64, N>, const N: usize>(
     map: &M,
     start: [f64; N],

@@ -31,7 +31,7 @@ pub struct Family {
     pub boundary: Boundary,
     /// The names of the arrays of a site.
     pub arrays: Vec<String>,
-    /// The names of the parameters of the whole chain.
+    /// The names of the parameters that have one value for all sites.
     pub parameters: Vec<String>,
     /// The names of the parameters of each site.
     pub site_parameters: Vec<String>,

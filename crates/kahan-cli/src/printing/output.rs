@@ -58,7 +58,7 @@ impl Answer {
 }
 
 impl UsageError {
-    /// Makes a refusal from a message without the word `error:`.
+    /// Makes a refusal from a message, and writes `error:` before the message.
     pub(crate) fn new(message: impl AsRef<str>) -> Self {
         UsageError(paragraph(message.as_ref()))
     }

@@ -102,7 +102,7 @@ impl Block {
         [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
     }
 
-    /// Returns notes on how the text was read, and on values that `given` does not replace.
+    /// Returns notes on how the text was read, and on its values except of parameters in `given`.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let is_noted = |name: &str| {
             let named = format!("`{name}` with the value");

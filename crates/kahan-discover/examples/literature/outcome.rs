@@ -12,7 +12,7 @@ use crate::clock::Clock;
 
 pub(crate) struct Outcome<'a> {
     case: &'a Case,
-    /// The columns of the table between the name and the times.
+    /// The cells of a row of the table under the headings `integrals` to `ranks`.
     counts: [String; 5],
     last_finding: f64,
     total: f64,

@@ -1,11 +1,11 @@
-//! Finds special elements P + cQ for an integral P/Q: elements that factor, have lower degree, or
+//! Finds special polynomials P + cQ for an integral P/Q: those that factor, have lower degree, or
 //! do not contain ε.
 //!
-//! Let F(s, t) be a polynomial of degree d. The equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions (G, H)
-//! of degree below d, besides multiples of ∇F, if and only if F factors over ℂ or has a square
-//! factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003). For F = P + cQ on
-//! a random plane, it is a linear system whose matrix is linear in c. The wanted c are therefore
-//! roots of a polynomial modulo a prime. The caller must prove the results.
+//! Let F(s, t) be P + cQ on a random plane, and d its degree. F factors over ℂ or has a square
+//! factor if and only if the equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions (G, H) of degree below d
+//! other than multiples of ∇F (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72,
+//! 2003). The matrix of this linear system is linear in c. The wanted c are therefore roots of a
+//! polynomial modulo a prime. The caller must prove the results.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;

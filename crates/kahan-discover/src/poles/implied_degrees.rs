@@ -9,8 +9,8 @@
 
 use super::jet::Image;
 
-/// Returns the degrees d₀, d₁, … of the iterates of a map of this degree, as far as `curves`
-/// determines them. Each entry holds the degree of a curve, and its images after 1, 2, … steps.
+/// Returns the degrees d₀, d₁, … of the iterates of a map of this degree. Each entry of `curves` is
+/// the degree of a curve, with the images of this curve after 1, 2, … steps.
 pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
     let steps = curves.iter().map(|(_, images)| images.len()).min()?;
     let mut degrees = vec![1usize];

@@ -54,8 +54,8 @@ pub struct Poles {
     pub patterns: Vec<Pattern>,
     /// The number of steps for which curves were followed.
     pub bound: usize,
-    /// Whether all curves that are blown down are listed. Some may be missing if the Jacobian
-    /// determinant is too long to be factored.
+    /// Whether `patterns` has all curves whose image has a lower dimension. Some may be missing if
+    /// the Jacobian determinant is too long to be factored.
     pub is_complete: bool,
     /// The measured degrees d₀, d₁, … of the iterates.
     pub degrees: Vec<usize>,

@@ -30,8 +30,7 @@ pub(super) struct Search<'a> {
     pub(super) proved: &'a [Formula],
     /// Integrals of the flow that the map preserves.
     pub(super) kept: &'a [Polynomial],
-    /// Integrals that follow from theorems. Each is accepted after the search for integrals of its
-    /// degree.
+    /// Integrals P/Q that theorems give. One of degree d is tried after the search at degree d.
     pub(super) further: &'a [(Polynomial, Polynomial)],
     pub(super) is_even: bool,
     pub(super) place: &'a SampledStep,

@@ -218,8 +218,8 @@ impl<C: Curve> BranchSegment<'_, C> {
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
         let size_at = |there: &BranchPosition| size_of(&self.arc.classified(there).cycle);
         let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
-        // At `inner` the multiplier may be too near the circle to be surely inside. The position
-        // `behind` is farther from `outer`.
+        // The multiplier at `inner` may be too near the unit circle to be surely inside. Then the
+        // position `behind` is tried, which is farther from `outer`.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
         let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
             (inner.at, 1.0)

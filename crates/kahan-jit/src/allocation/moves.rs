@@ -4,7 +4,8 @@ use crate::assembler::{Source, Vector};
 
 use super::{Allocation, MachineInstruction, ValueLocation};
 
-/// Moves `sources[i]` into register i for all i. A free register or a stack slot breaks cycles.
+/// Moves `sources[i]` into register i for all i. If these moves form a cycle, one value is first
+/// saved in a free register or a stack slot.
 pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize, code: &mut Allocation) {
     let states = sources.len();
     let mut moves: Vec<(Vector, Source<ValueLocation>)> =
@@ -13,7 +14,6 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
         let (to, source) = moves[place];
         let still_read = moves.iter().any(|(_, source)| *source == Source::Register(to));
         if still_read {
-            // In a cycle, the value in the target register is first moved elsewhere.
             let elsewhere = match free_register(&moves, states, registers) {
                 Some(register) => {
                     code.round.push(MachineInstruction::Copy(register, to));

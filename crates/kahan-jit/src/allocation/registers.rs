@@ -67,7 +67,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register to write to. If no register is free, a value is spilled first.
+    /// Returns a register to write to. If none is free, `spill` frees one.
     pub(super) fn fresh(&mut self) -> Vector {
         let index = match self.registers.iter().position(Option::is_none) {
             Some(free) => free,

@@ -48,7 +48,7 @@ fn add_orbit<M: LatticeMap<f64> + Clone>(
     let mut next = start.clone();
     at.step(&mut next);
     answers.add("residual", NUMBER, &[at.residual(&start, &next)]);
-    // In other units `try_step` may round differently, so only its success is compared.
+    // `try_step` may round differently in other units of length and time, but succeeds alike.
     answers.say("promise", at.try_step(&mut next).is_ok());
 }
 

@@ -71,8 +71,8 @@ macro_rules! questions {
                 }
             }
 
-            /// Returns the question as [`Over`] asks it at each combination of axis values. Fails
-            /// for a question whose answer does not fit into a row of a table.
+            /// Returns the question as an `AtCell`, which [`Over`] asks at each combination of axis
+            /// values. Fails if an answer to the question does not fit into a row of a table.
             fn at_cell(&self) -> Result<&dyn AtCell, StudyError> {
                 match self {
                     $($(Self::$question(asked) => Ok(asked as &dyn $at_cell),)?)*

@@ -270,7 +270,7 @@ impl<'a> RefinementSearch<'a> {
                 let is_over = || clock() > deadline;
                 // Errors are measured in the variables of the original equations.
                 let variables = Some(study.coordinates().len());
-                // Orbits with a rounded ε may end after the horizon, so there is a `margin`.
+                // If ε is rounded up, the last point of an orbit lies after the horizon.
                 let limits = TrajectoryLimits { margin: 1.0 / 256.0, variables, is_over: Some(&is_over) };
                 let asked = Trajectory {
                     command: study.catalog_name().unwrap_or_default(),

@@ -55,7 +55,7 @@ impl<'a> Runner<'a> {
         self.map.at(1.0).is_code()
     }
 
-    /// Returns the time in seconds of `steps` steps from the start.
+    /// Returns how many seconds the computation of `steps` steps from the start takes.
     pub(super) fn seconds(&self, scheme: Scheme, eps: f64, steps: u64) -> f64 {
         self.follow(scheme, eps, None, &mut once(steps), &mut |_, _| ControlFlow::Continue(()))
     }

@@ -18,7 +18,7 @@ fn cycle(field: &Subject, dt: f64, more: Value) -> Value {
     answer(&study(field.clone()), asked)
 }
 
-/// Asserts that a period is correct within its error estimate, and near the map's period.
+/// Asserts that the flow's period is `period` within its error estimate, and near the map's period.
 fn assert_period(found: &Value, period: f64, most: f64) {
     let flow = &found["flow"];
     let [value, error, of_map] = ["period", "error", "period_of_map"].map(|name| number(&flow[name]));

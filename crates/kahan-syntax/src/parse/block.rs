@@ -125,7 +125,7 @@ fn state_of<X>(cursor: &Cursor<'_>, block: &mut Block<X>, left: Name) -> Parsed<
     error(Kind::Name, span, format!("`{text}` is no left-hand side: it does not end in `dot`"), help)
 }
 
-/// Records an equation without a right-hand side, so that the field keeps the state `meant`.
+/// Records the misspelt `left`, and the state `meant` with an equation without right-hand side.
 fn broken_equation<X>(block: &mut Block<X>, left: Name, meant: String) {
     let state = Name { text: meant, span: left.span };
     block.equations.push(Equation { state: state.clone(), value: None });

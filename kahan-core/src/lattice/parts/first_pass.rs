@@ -153,8 +153,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The dense linear system after the elimination of the band; the largest multiplier of each lane
-/// follows it in memory. The first pass eliminates only the columns 0 to `first` − 1.
+/// The dense linear system that the elimination of the band leaves, followed in memory by the
+/// largest multiplier of each lane. `run` eliminates only columns 0 to `first` − 1.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

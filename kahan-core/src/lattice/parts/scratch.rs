@@ -13,7 +13,7 @@ pub(in crate::lattice) struct Scratch<T> {
     pub(super) x: Buffer<T>,
     pub(super) c: Buffer<T>,
     pub(super) registers: Buffer<T>,
-    /// The dense linear system after the first pass, then the largest multiplier of each lane.
+    /// The dense system that remains of the band, followed by each lane's largest multiplier.
     pub(super) dense: Buffer<T>,
     /// Rows of the identity, followed by the rows of U with their right-hand sides.
     pub(super) done: Buffer<T>,

@@ -1,4 +1,4 @@
-//! Compares random steps of chains with elimination of the dense matrix with partial pivoting.
+//! Checks steps of chains from random states against dense elimination with partial pivoting.
 
 use std::ops::Range;
 use std::vec::Vec;

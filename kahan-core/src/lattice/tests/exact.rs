@@ -112,7 +112,7 @@ fn promised_steps_keep_their_promise() {
     }
 }
 
-/// In the tail of a soliton, products underflow.
+/// At the last sites the numbers `x` are so small that their products underflow.
 #[test]
 fn promises_hold_for_the_smallest_numbers() {
     let x: Vec<f64> = (0..40).map(|i| 0.5_f64.powi(26 * i)).collect();

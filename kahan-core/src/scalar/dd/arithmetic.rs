@@ -1,7 +1,8 @@
 //! Double-double operations, each with its error bound in terms of u = 2⁻⁵³.
 //!
-//! Operands and results are normalised. Operations that may overflow are left to `extremes`, and so
-//! are quotients and roots that may lose bits. Products below 2⁻⁹⁶⁹ lose bits.
+//! In operands and results, the high part is the rounded sum of both parts. The module `extremes`
+//! computes results that may overflow, and quotients and roots that may lose bits. Products below
+//! 2⁻⁹⁶⁹ lose bits.
 
 use crate::scalar::bounded::power_of_two;
 

@@ -13,7 +13,7 @@ pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
     Dd { high, low }
 }
 
-/// Returns xy, from the exact product of the high parts.
+/// Returns xy rounded; `leading` + `error` is the exact product of the high parts of x and y.
 #[inline(always)]
 pub(super) fn product((leading, error): (f64, f64), x: Dd, y: Dd) -> Dd {
     let lower = multiply_add(x.low, y.high, x.high * y.low);

@@ -104,8 +104,8 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
-    /// Returns n and e with |numerator| ≈ n·2^e and n ≥ 2⁶³. If digits are cut off, the last bit of
-    /// n is 1. Therefore rounding n to fewer bits rounds the numerator correctly.
+    /// Returns the leading bits n ≥ 2⁶³ of |numerator|, and the exponent of their last bit. If any
+    /// digits are cut off, the last bit is set, so that n rounds to fewer bits like the numerator.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

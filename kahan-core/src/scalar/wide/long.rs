@@ -109,10 +109,8 @@ impl LongNumber {
         self.0.as_ref().map_or_else(Wide::zero, Number::digits)
     }
 
-    /// Returns whether |exact value − rounded| ≤ relative·|rounded|.
-    ///
-    /// If this holds for every component of x̃, each row of A·x̃ = b satisfies |A·x̃ − b| ≤
-    /// relative·(|A|·|x̃|).
+    /// Returns whether `rounded` differs from the exact value by at most `relative` times
+    /// |`rounded`|.
     pub(crate) fn is_within(&self, relative: f64, rounded: Wide) -> bool {
         let off = self.leading() - rounded;
         off.size() + off.radius() <= rounded.size() * Size::from(relative)

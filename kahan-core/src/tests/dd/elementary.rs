@@ -15,7 +15,7 @@ fn one() -> BigInt {
     BigInt::from(1) << BITS
 }
 
-/// Converts a number exactly. The magnitude must be 0 or at least 2⁻⁵⁹⁰.
+/// Returns the exact product of x and two to the power `BITS`; |x| must be 0 or at least 2⁻⁵⁹⁰.
 fn fixed(x: Dd) -> BigInt {
     let part = |x: f64| {
         let (bits, sign) = (x.to_bits(), if x < 0.0 { -1 } else { 1 });

@@ -100,8 +100,8 @@ impl<'a> Blocks<'a> {
         self.solved().map(block).collect::<Option<_>>().map(BlockOrder)
     }
 
-    /// Returns the blocks without elimination, for up to `orders` orders of rows. Each block needs
-    /// at most `operations` operations.
+    /// Returns the solutions by Cramer's rule alone, without elimination of independent states. Up
+    /// to `orders` orders of rows are tried. A block needs at most `operations` operations.
     pub(in crate::plan) fn without_elimination(&self, orders: usize, operations: usize) -> Vec<BlockOrder> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {

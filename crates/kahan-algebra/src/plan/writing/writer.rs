@@ -51,7 +51,7 @@ pub(in crate::plan) struct Writer {
 }
 
 impl Writer {
-    /// Returns an empty writer for each of the `scalings` of the field.
+    /// Returns an empty writer for each way to choose which factors of a term ε multiplies.
     pub(in crate::plan) fn empty(field: &Field) -> Vec<Self> {
         scalings(field).into_iter().map(Self::new).collect()
     }

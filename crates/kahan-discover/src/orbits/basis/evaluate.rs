@@ -1,4 +1,4 @@
-//! Evaluates the integrals of a basis from consecutive points of an orbit, exactly or in floats.
+//! Computes the values that a basis's integrals have on an orbit, exactly or in floats.
 
 use std::error::Error;
 use std::fmt;

@@ -1,5 +1,5 @@
-//! Observes the orbits of cells. With machine code, orbits, even of different maps, can run side by
-//! side in SIMD lanes.
+//! Observes the orbit of each cell, where a cell is a combination of axis values. Machine code
+//! follows several orbits at once in SIMD lanes, even if their maps differ.
 
 use std::ops::ControlFlow;
 

@@ -116,7 +116,8 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         None
     }
 
-    /// Returns the first point, a point of a passage, or the next point if `next` rejected it.
+    /// Returns the next point if it is the first, if it belongs to a passage through a pole, or if
+    /// `next` rejected the ordinary step to it.
     #[cold]
     fn next_beyond_steps(&mut self) -> Option<ProjectivePoint<T, N>> {
         match mem::replace(&mut self.at, OrbitPosition::Nowhere) {

@@ -36,7 +36,7 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
 const MAX_LOST_BITS: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// One attempt has δ = 0, for points near a pole. Two have δ > 0 and follow different lines.
+    /// The first attempt sets δ = 0. The other two set δ > 0, and follow lines in other directions.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
