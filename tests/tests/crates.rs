@@ -200,8 +200,8 @@ fn used_by(unit: &Value) -> impl Iterator<Item = usize> {
     used.map(|used| used["index"].as_u64().and_then(|index| usize::try_from(index).ok()).expect("an index"))
 }
 
-/// Returns for each compilation unit whether a program links it. Others are used by macros and build
-/// scripts only, which cargo compiles without link-time optimisation.
+/// Returns for each compilation unit whether a program links it. Others are used by macros and
+/// build scripts only, which cargo compiles without link-time optimisation.
 fn linked(graph: &Value, units: &[Value]) -> Vec<bool> {
     let mut linked = vec![false; units.len()];
     let mut left: Vec<usize> = graph["roots"]

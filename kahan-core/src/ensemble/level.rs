@@ -9,8 +9,9 @@
 pub enum Level {
     /// The instructions for which the program was compiled. On x86-64 and 64-bit Arm they advance
     /// two `f64` or four `f32` at a time, elsewhere one number. Lanes prefer a formula with a
-    /// single division, because divisions limit the throughput. If [`KahanAt::step`](crate::KahanAt::step)
-    /// uses the same formula, its results have the same bits.
+    /// single division, because divisions limit the throughput. If
+    /// [`KahanAt::step`](crate::KahanAt::step) uses the same formula, its results have the same
+    /// bits.
     Baseline,
     /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.
     Avx2,

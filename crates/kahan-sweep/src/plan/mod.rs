@@ -38,8 +38,8 @@ fn select_columns(table: Table, places: Option<&[usize]>) -> Table {
 
 impl Plan {
     /// Reads a plan; file names in the plan are relative to the path `origin`. Fails with a list of
-    /// mistakes, each with its line, a reason and a remedy: the first mistake of each table, or only
-    /// the first one if the text is not TOML.
+    /// mistakes, each with its line, a reason and a remedy: the first mistake of each table, or
+    /// only the first one if the text is not TOML.
     pub fn read(text: &str, origin: &str) -> Result<Self, String> {
         read::plan(text, origin)
     }
