@@ -1,7 +1,6 @@
-//! The Lagrange top in the body frame, with angular momentum m, angular velocity (m1, m2, al m3)
-//! and direction p of gravity. With `d = al (1-al) m3^2 - g p3`, `v = (al-1) m3 (m1,m2) + g
-//! (p1,p2)`, `w = m1 v1 + m2 v2`, `M = (2 al - 1) m3` and `D1 = 1 + eps^2 d`, the map preserves m3
-//! and
+//! The Lagrange top in the body frame: angular momentum m, angular velocity (m1, m2, al m3),
+//! direction p of gravity. With `d = al (1-al) m3^2 - g p3`, `v = (al-1) m3 (m1,m2) + g (p1,p2)`,
+//! `w = m1 v1 + m2 v2`, `M = (2 al - 1) m3` and `D1 = 1 + eps^2 d`, the map preserves m3 and
 //!
 //! - `H = m1^2 + m2^2 - 2 d - eps^2 |v|^2`,
 //! - `J = (w - M d)/D1`,
