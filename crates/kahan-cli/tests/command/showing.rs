@@ -232,7 +232,7 @@ fn a_failed_write_has_the_status_of_an_error() {
     for call in [
         "list",
         "orbit e6 --eps 1/10 --at 1,2,1/3 --steps 5",
-        "section e6 --eps 1/10 --at 1,2,1/3 --plane x-y",
+        "section e6 --eps 1/10 --at 1,2,1/3 --plane x-y --steps 50",
     ] {
         let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
         let output = Command::new(env!("CARGO_BIN_EXE_kahan")).args(call.split(' ')).stdout(full).output();
