@@ -122,8 +122,6 @@ async function orbits(asker, methods) {
       const orbit = { names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), crossings, paint: METHODS[method][1] }
       made.push({ ...orbit, escaped: escapeOf(orbit) })
     }
-    // Shows the orbits of Kahan's map at once, if the portrait has none of these orbits yet.
-    if (method === 'kahan' && !lastDrawn.some(orbit => orbit.method === method)) show([...made])
   }
   if (asker === mover) {
     const errors = await relations(asked)

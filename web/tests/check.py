@@ -16,7 +16,7 @@ from playwright.sync_api import sync_playwright
 
 import reader
 import typed
-from tab import AXE, DRAWN, E6, FOUND, PAGE, PICTURED, TOP, WEB, Tab, address, command, found
+from tab import AXE, DRAWN, E6, FOUND, PAGE, TOP, WEB, Tab, address, command, found
 
 def every_system_opens_by_its_address(browser, kahan):
     names = [system["name"] for system in json.loads(command(kahan, "list", "--json"))["systems"]]
@@ -411,7 +411,7 @@ def figures(browser, kahan):
         page = context.new_page()
         begun = time.perf_counter()
         page.goto(PAGE)
-        page.wait_for_function(PICTURED, polling="raf")
+        page.wait_for_function(DRAWN, polling="raf")
         pictured.append(1000 * (time.perf_counter() - begun))
         page.goto("about:blank")
         begun = time.perf_counter()

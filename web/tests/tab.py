@@ -56,9 +56,7 @@ class Tab:
         return self.page.inner_text(selector)
 
 
-# PICTURED is true with the orbits of Kahan's map, DRAWN with those of Euler and Runge–Kutta, too.
-PICTURED = "document.querySelector('#ended').textContent.includes(' points ')"
-DRAWN = f"{PICTURED} && state.beside.every(name => name === 'flow' || lastDrawn.some(({{method}}) => method === name))"
+DRAWN = "document.querySelector('#ended').textContent.includes(' points ')"
 FOUND = "document.querySelector('#search-stage').textContent.includes('Found in')"
 
 
