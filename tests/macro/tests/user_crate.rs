@@ -41,7 +41,7 @@ fn cargo(arguments: &[&str]) -> String {
 }
 
 #[test]
-#[ignore = "compiles kahan-core once more; .ci/long runs it"]
+#[ignore = "compiles kahan-core once more; .ci/run runs it"]
 fn crates_of_users_run() {
     cargo(&["run", "--quiet", "--package", "renamed"]);
     cargo(&["run", "--quiet", "--package", "edition_2021"]);

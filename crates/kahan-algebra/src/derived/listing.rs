@@ -16,11 +16,11 @@ pub struct StepListing {
     pub constants: Vec<String>,
     /// The operations that compute numerators and reciprocals.
     pub kernel: Vec<String>,
-    /// The name of the reciprocal that multiplies each numerator, or `None` if there is none.
+    /// The name of the reciprocal that multiplies each numerator; `None` without a reciprocal.
     pub reciprocals: Vec<Option<String>>,
     /// The formulas of x̃ by component.
     pub next: Vec<String>,
-    /// The largest tested ‖εf′‖∞ at which the step is still accurate, or 0 if there is none.
+    /// The largest tested ‖εf′‖∞ at which the step is accurate; 0 if no tested one is.
     pub holds_to: u32,
 }
 

@@ -34,7 +34,7 @@ impl Balls {
         Some(Box::new(Fraction::of_equation(&equation)?))
     }
 
-    /// Returns the answer of `of_balls` at growing precision. If there is none, asks `exactly`.
+    /// Calls `of_balls` at growing precision until it returns an answer; otherwise calls `exactly`.
     fn answer<R>(
         &self,
         of_balls: impl Fn(&[Ball], u64) -> Option<R>,

@@ -29,8 +29,8 @@ mod flow;
 
 pub use flow::FlowFound;
 
-/// The largest number of unknowns for Newton's method. With so many, a failed search takes five
-/// seconds.
+/// The largest number of unknowns for Newton's method. A failed search with this number of unknowns
+/// takes five seconds.
 const MOST_UNKNOWNS: usize = 250;
 
 /// A request for a cycle near a point, and for its branch.

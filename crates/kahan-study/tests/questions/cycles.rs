@@ -66,7 +66,6 @@ fn errors_of_lifted_cycles_hold() {
 }
 
 #[test]
-#[ignore = "a minute unoptimised; .ci/long runs it"]
 fn a_branch_ends_where_two_rounds_come_together() {
     let more = json!({"at": [1, 2, 0], "transient": 4000, "over": {"c": "4:3.8:3"}});
     let found = cycle(&Subject::text(ROSSLER), 0.05, more);

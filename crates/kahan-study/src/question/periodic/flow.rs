@@ -18,7 +18,8 @@ use crate::range::Axis;
 
 use super::{Family, Periodic};
 
-/// The largest number of values stored along a cycle. With so many, a Newton step takes a second.
+/// The largest number of values stored along a cycle. A Newton step with this number of values
+/// takes a second.
 const MOST_NUMBERS: usize = 4_000_000;
 
 /// Returns the number of values that are stored for each point of a cycle in n variables.
